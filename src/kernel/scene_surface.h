@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the ids that a search returns to the surface that was hit. Reads the geometry's buffers. Devices
+// return ids only; t and the coordinates on the surface are computed here, the same on all of them.
+#ifndef SNELL_KERNEL_SCENE_SURFACE_H
+#define SNELL_KERNEL_SCENE_SURFACE_H
+
+SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
+  LET(Triangle) triangle = triangles[hit.primitive];
+  LET(Mesh) mesh = meshes[triangle.mesh];
+  bool instanced = hit.instance != None;
+
+  // Find the barycentric coordinates in the space where the search found them
+  Ray ray = worldRay;
+  if (instanced) ray = ToLocalRay(instances[hit.instance].toWorld, worldRay.o, worldRay.d);
+  vec3 p0 = positions[triangle.v0];
+  vec3 p1 = positions[triangle.v1];
+  vec3 p2 = positions[triangle.v2];
+  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), p0, p1, p2);
+
+  SurfaceInteraction it;
+  it.t = th.t;
+  it.object = mesh.object;
+  it.p = p0 * th.b0 + p1 * th.b1 + p2 * th.b2;
+  vec3 size = Abs(p0 * th.b0) + Abs(p1 * th.b1) + Abs(p2 * th.b2);
+  it.pError = size * Gamma(16.0f);
+  vec3 e1 = p1 - p0;
+  vec3 e2 = p2 - p0;
+  it.n = Cross(e1, e2);
+
+  // Interpolate what the vertices bring; where they bring normals, these say which side is outside
+  it.ns = it.n;
+  if (mesh.normals != None) {
+    it.ns = normals[triangle.v0 + mesh.normals] * th.b0 + normals[triangle.v1 + mesh.normals] * th.b1 +
+            normals[triangle.v2 + mesh.normals] * th.b2;
+    if (LengthSquared(it.ns) == 0.0f) it.ns = it.n;
+    it.n = FaceForward(it.n, it.ns);
+  }
+  it.uv = vec2(th.b1, th.b2);
+  it.dpdu = e1;
+  if (mesh.uvs != None) {
+    vec2 uv0 = uvs[triangle.v0 + mesh.uvs];
+    vec2 uv1 = uvs[triangle.v1 + mesh.uvs];
+    vec2 uv2 = uvs[triangle.v2 + mesh.uvs];
+    it.uv = uv0 * th.b0 + uv1 * th.b1 + uv2 * th.b2;
+    float du1 = uv1.x - uv0.x;
+    float du2 = uv2.x - uv0.x;
+    float dv1 = uv1.y - uv0.y;
+    float dv2 = uv2.y - uv0.y;
+    float det = du1 * dv2 - dv1 * du2;
+    it.dpdu = det == 0.0f ? vec3(0.0f, 0.0f, 0.0f) : (e1 * dv2 - e2 * dv1) / det;
+  }
+
+  if (instanced) {
+    LET(Instance) instance = instances[hit.instance];
+    vec3 local = it.p;
+    it.object = instance.object;
+    it.p = ToWorldPoint(instance.toWorld, local);
+    it.pError = ToWorldPointError(instance.toWorld, local, it.pError, it.p);
+    it.n = ToWorldNormal(instance.toWorld, it.n);
+    it.ns = ToWorldNormal(instance.toWorld, it.ns);
+    it.dpdu = ToWorldVector(instance.toWorld, it.dpdu);
+  }
+  it.n = Normalize(it.n);
+  it.ns = Normalize(it.ns);
+  return it;
+}
+
+SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
+  if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
+  LET(Shape) shape = shapes[hit.primitive];
+  return ShapeSurface(shape, ray.o, ray.d, IntersectShape(shape, ray.o, ray.d));
+}
+
+#endif

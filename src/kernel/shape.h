@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The list of analytic shapes: one switch per verb. Both searches for the nearest surface, the CPU's and
+// the GPU's, call IntersectShape; shading calls ShapeSurface for the shape that was hit.
+#ifndef SNELL_KERNEL_SHAPE_H
+#define SNELL_KERNEL_SHAPE_H
+
+#include "kernel/ray.h"
+#include "kernel/shape_box.h"
+#include "kernel/shape_flat.h"
+#include "kernel/shape_frustum.h"
+#include "kernel/shape_sphere.h"
+#include "kernel/shape_torus.h"
+#include "kernel/transform.h"
+
+KERNEL_BEGIN
+
+// The nearest hit of a world-space ray at t > 0, in units of d's length; negative or zero if there is none.
+FN float IntersectShape(IN(Shape) shape, vec3 o, vec3 d) {
+  // Spheres stay spheres in world space and need no change of space
+  if (shape.kind == SHAPE_SPHERE) return IntersectSphere(o - shape.toWorld.origin, d, shape.a);
+  Ray ray = ToLocalRay(shape.toWorld, o, d);
+  switch (shape.kind) {
+    case SHAPE_ELLIPSOID: return IntersectSphere(ray.o, ray.d, 1.0f);
+    case SHAPE_PLANE: return IntersectPlane(ray.o, ray.d);
+    case SHAPE_DISK: return IntersectDisk(ray.o, ray.d, shape.a);
+    case SHAPE_RECTANGLE: return IntersectRectangle(ray.o, ray.d);
+    case SHAPE_BOX: return IntersectBox(ray.o, ray.d);
+    case SHAPE_FRUSTUM: return IntersectFrustum(ray.o, ray.d, shape.a, shape.b, shape.c);
+    case SHAPE_TUBE: return IntersectTube(ray.o, ray.d, shape.a, shape.b, shape.c);
+    case SHAPE_TORUS: return IntersectTorus(ray.o, ray.d, shape.a, shape.b);
+  }
+  return -1.0f;
+}
+
+// The surface where IntersectShape found `t`.
+FN SurfaceInteraction ShapeSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
+  Ray ray = ToLocalRay(shape.toWorld, o, d);
+  LocalSurface local;
+  switch (shape.kind) {
+    case SHAPE_SPHERE: local = SphereSurface(ray.o, ray.d, shape.a, t); break;
+    case SHAPE_ELLIPSOID: local = SphereSurface(ray.o, ray.d, 1.0f, t); break;
+    case SHAPE_DISK: local = DiskSurface(ray.o, ray.d, t); break;
+    case SHAPE_BOX: local = BoxSurface(ray.o, ray.d, t); break;
+    case SHAPE_FRUSTUM:
+      local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, true, t);
+      break;
+    case SHAPE_TUBE:
+      local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, false, t);
+      break;
+    case SHAPE_TORUS: local = TorusSurface(ray.o, ray.d, shape.a, shape.b, t); break;
+    default: local = FlatSurface(ray.o, ray.d, t); break;
+  }
+
+  SurfaceInteraction it;
+  it.t = t;
+  it.p = ToWorldPoint(shape.toWorld, local.p);
+  it.pError = ToWorldPointError(shape.toWorld, local.p, local.error, it.p);
+  it.n = Normalize(ToWorldNormal(shape.toWorld, local.n));
+  it.ns = it.n;
+  it.dpdu = ToWorldVector(shape.toWorld, local.dpdu);
+  it.uv = local.uv;
+  it.object = shape.object;
+  return it;
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sample points: the first two dimensions of Sobol''s sequence, Owen-scrambled by hashing and padded to as
+// many pairs of dimensions as are needed (Burley 2020, "Practical hash-based Owen scrambling", JCGT 9:4;
+// scrambling hash of Laine and Karras 2011 with Burley's constants). Any power-of-two prefix of a pair is
+// stratified in every elementary interval.
+#ifndef SNELL_KERNEL_SOBOL_H
+#define SNELL_KERNEL_SOBOL_H
+
+#include "kernel/math.h"
+
+KERNEL_BEGIN
+
+FN uint ReverseBits(uint x) {
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  return (x >> 16) | (x << 16);
+}
+
+// A bijective hash of 32 bits (Wellons 2018, "lowbias32").
+FN uint HashUint(uint x) {
+  x ^= x >> 16;
+  x *= 0x7feb352du;
+  x ^= x >> 15;
+  x *= 0x846ca68bu;
+  x ^= x >> 16;
+  return x;
+}
+FN uint HashCombine(uint seed, uint x) {
+  return HashUint(seed ^ (x + 0x9e3779b9u + (seed << 6) + (seed >> 2)));
+}
+
+// Owen scrambling of a bit-reversed number: each bit is flipped by a hash of the bits below it.
+FN uint ScrambleReversed(uint x, uint seed) {
+  x += seed;
+  x ^= x * 0x6c50b47cu;
+  x ^= x * 0xb82f1e52u;
+  x ^= x * 0xc7afe638u;
+  x ^= x * 0x8d22f6e6u;
+  return x;
+}
+
+// Second dimension of Sobol''s sequence as a 32-bit fraction, from the bit-reversed index: the product with
+// Pascal's matrix modulo 2, in five butterfly stages.
+FN uint SobolSecond(uint reversedIndex) {
+  uint x = reversedIndex;
+  x ^= (x << 1) & 0xaaaaaaaau;
+  x ^= (x << 2) & 0xccccccccu;
+  x ^= (x << 4) & 0xf0f0f0f0u;
+  x ^= (x << 8) & 0xff00ff00u;
+  x ^= (x << 16) & 0xffff0000u;
+  return x;
+}
+
+// The 24 high bits as a float in [0, 1).
+FN float UnitFloat(uint x) { return float(x >> 8) * 5.9604644775390625e-8f; }
+
+// Point `index` of the pair of dimensions that `seed` names, in [0, 1)².
+FN vec2 Sobol2D(uint index, uint seed) {
+  uint shuffled = ScrambleReversed(ReverseBits(index), seed);  // bit-reversed
+  uint x = ReverseBits(ScrambleReversed(ReverseBits(shuffled), HashUint(seed ^ 0xa511e9b3u)));
+  uint y = ReverseBits(ScrambleReversed(ReverseBits(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
+  return vec2(UnitFloat(x), UnitFloat(y));
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every record that crosses from the host to a device, and the records that the kernel passes about. All
+// fields are 32 bits wide or vectors of such, so that C++'s layout and Vulkan's scalar block layout agree
+// (tests/agree reads the layout back from the SPIR-V). Units: docs/conventions.md.
+#ifndef SNELL_KERNEL_TYPES_H
+#define SNELL_KERNEL_TYPES_H
+
+#include "kernel/dialect.h"
+
+KERNEL_BEGIN
+
+// An affine map with its inverse. A point p maps to x·p.x + y·p.y + z·p.z + origin; a world point q maps
+// back to the dots of the rows with (q − origin), which loses no precision far from the world's origin.
+struct Transform {
+  vec3 x;
+  vec3 y;
+  vec3 z;
+  vec3 origin;
+  vec3 rowX;
+  vec3 rowY;
+  vec3 rowZ;
+};
+
+struct Ray {
+  vec3 o;
+  vec3 d;  // need not have unit length
+};
+
+// Which rays see an object; bits of Object::mask.
+CONST uint MASK_CAMERA = 1u;     // rays from the camera
+CONST uint MASK_SECONDARY = 2u;  // reflected and refracted rays
+CONST uint MASK_SHADOW = 4u;     // shadow rays: the object blocks all light
+CONST uint MASK_TINT = 8u;       // shadow rays: the object lets some light through
+CONST uint MASK_INSIDE = 16u;    // the search for what a point is inside of
+CONST uint MASK_ALL = 31u;
+
+// What the primitives of one [[object]] share.
+struct Object {
+  uint material;
+  uint mask;
+  uint light;  // the area light that this surface is, or None
+  Transform toWorld;
+};
+
+CONST uint SHAPE_SPHERE = 0u;     // radius a around the origin of toWorld, whose axes are a rotation
+CONST uint SHAPE_ELLIPSOID = 1u;  // the unit sphere
+CONST uint SHAPE_PLANE = 2u;      // y = 0, normal +y
+CONST uint SHAPE_DISK = 3u;       // y = 0, outer radius 1, inner radius a
+CONST uint SHAPE_RECTANGLE = 4u;  // y = 0, x and −z in [0, 1]
+CONST uint SHAPE_BOX = 5u;        // [−1, 1]³
+CONST uint SHAPE_FRUSTUM = 6u;    // around +y, radius a at y = 0 and b at y = c; closed by two disks
+CONST uint SHAPE_TUBE = 7u;       // a frustum without the disks
+CONST uint SHAPE_TORUS = 8u;      // around +y, radius a to the middle of a tube of radius b
+
+// An analytic shape in its own space.
+struct Shape {
+  uint kind;
+  uint object;
+  float a;
+  float b;
+  float c;
+  Transform toWorld;
+};
+
+struct Triangle {
+  uint v0;  // indices into the positions
+  uint v1;
+  uint v2;
+  uint mesh;
+};
+
+// What the triangles of one mesh share.
+struct Mesh {
+  uint object;   // for a mesh in world space; instances name their own
+  uint normals;  // added to a vertex's index gives its normal's; None: flat
+  uint uvs;      // the same for its texture coordinates
+};
+
+// A mesh in its own space, placed in the world.
+struct Instance {
+  uint object;
+  uint root;  // of the mesh in the device's search structure
+  uint firstTriangle;
+  uint triangleCount;
+  Transform toWorld;
+};
+
+// What a device's search for the nearest surface returns: ids only. `instance` is INSTANCE_SHAPE for an
+// analytic shape (`primitive` is its index), None for a triangle in world space, else an instance's index.
+CONST uint INSTANCE_SHAPE = 0xfffffffeu;
+struct Hit {
+  uint primitive;  // None: nothing was hit
+  uint instance;
+};
+
+// A colour or a texture of colours.
+struct ColorSource {
+  Spectrum value;
+  uint texture;  // None: the value holds everywhere; else it multiplies the texture
+};
+
+CONST uint TEXTURE_CHECKER = 0u;
+CONST uint TEXTURE_STRIPES = 1u;
+CONST uint TEXTURE_GRADIENT = 2u;
+CONST uint TEXTURE_MARBLE = 3u;
+CONST uint TEXTURE_WOOD = 4u;
+
+CONST uint SPACE_UV = 0u;
+CONST uint SPACE_OBJECT = 1u;
+CONST uint SPACE_WORLD = 2u;
+
+struct Texture {
+  uint kind;
+  uint space;
+  Spectrum colorA;
+  Spectrum colorB;
+  float turbulence;  // how far noise moves the pattern
+  uint octaves;      // of the noise
+  uint smoothEdges;  // 1: a soft transition between the colours, 0: a sharp one
+  Transform toSpace;  // places the pattern in its space; the kernel uses the inverse
+};
+
+CONST uint TERM_AMBIENT = 0u;
+CONST uint TERM_DIFFUSE = 1u;
+CONST uint TERM_PHONG = 2u;
+CONST uint TERM_BLINN = 3u;
+
+// One shader term of a classic material's stack.
+struct Term {
+  uint kind;
+  uint normalized;  // 1: the specular lobe is scaled to conserve energy
+  float exponent;
+  ColorSource color;
+};
+
+CONST uint REFLECTION_CONSTANT = 0u;  // the reflectivity at every angle
+CONST uint REFLECTION_FRESNEL = 1u;   // the reflectivity times Fresnel's reflectance for the ior
+CONST uint REFLECTION_SCHLICK = 2u;   // the reflectivity at normal incidence, 1 at grazing
+
+struct Material {
+  uint firstTerm;
+  uint termCount;
+  uint reflection;
+  uint refractive;  // 1: some light passes
+  uint thin;        // 1: a sheet without inside
+  int priority;     // of the inside where objects overlap; the higher wins
+  float ior;
+  Spectrum absorption;  // per metre, inside
+  ColorSource emission;
+  ColorSource reflectivity;
+  ColorSource transparency;
+};
+
+CONST uint LIGHT_POINT = 0u;
+CONST uint LIGHT_SPOT = 1u;
+CONST uint LIGHT_DIRECTIONAL = 2u;
+CONST uint LIGHT_RECTANGLE = 3u;
+CONST uint LIGHT_TRIANGLE = 4u;
+CONST uint LIGHT_DISK = 5u;
+CONST uint LIGHT_SPHERE = 6u;
+
+CONST uint FALLOFF_NONE = 0u;
+CONST uint FALLOFF_LINEAR = 1u;
+CONST uint FALLOFF_INVERSE_SQUARE = 2u;
+
+struct Light {
+  uint kind;
+  uint falloff;
+  uint samples;       // shadow rays per camera sample
+  Spectrum emission;  // W/sr (point, spot), W/m² (directional) or W/(sr·m²) (areas)
+  vec3 position;      // the centre; a corner of rectangle and triangle
+  vec3 direction;     // that the light travels in; an area's normal
+  vec3 edgeU;         // edges of rectangle and triangle, half-axes of a disk
+  vec3 edgeV;
+  float radius;       // of a sphere, or of a point or spot light with soft shadows
+  float area;         // m²; of rectangle, triangle, disk
+  float cosInner;     // spot: full intensity within; directional: cosine of the half angular size
+  float cosOuter;     // spot: nothing outside
+  float factor;       // of the linear falloff
+  float range;        // metres; 0: unlimited
+};
+
+// The background, by direction: from `bottom` to `top` over the sine of the elevation.
+struct Environment {
+  Spectrum bottom;
+  Spectrum top;
+  float sinBottom;
+  float sinTop;
+  float ior;  // of the space around the scene
+};
+
+CONST uint CAMERA_PINHOLE = 0u;
+CONST uint CAMERA_ORTHOGRAPHIC = 1u;
+
+struct Camera {
+  uint kind;
+  uint inside;  // 1: rays may start within refractive objects
+  uvec2 resolution;
+  vec3 position;
+  vec3 right;  // unit vectors
+  vec3 up;
+  vec3 forward;
+  vec2 extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
+};
+
+CONST uint FILTER_BOX = 0u;
+CONST uint FILTER_TENT = 1u;
+CONST uint FILTER_GAUSSIAN = 2u;
+CONST uint FILTER_BLACKMAN_HARRIS = 3u;
+
+// Everything of a render that is one value.
+struct RenderParams {
+  Camera camera;
+  Environment environment;
+  Spectrum ambient;       // sum of the ambient lights, W/(sr·m²)
+  uint lightCount;
+  uint tintedShadows;     // 1: some object is marked MASK_TINT
+  uint filterKind;
+  float filterRadius;     // pixels
+  uint maxDepth;          // 1: only rays from the camera
+  float minContribution;  // branches that can add less than this are cut
+  uint seed;
+};
+
+// The refractive objects that a point is inside of, outermost first.
+CONST uint MaxNestedMedia = 8u;
+struct MediumStack {
+  uint count;
+  uint object[8];
+};
+
+// Rays by kind, for statistics.
+struct RayCounts {
+  uint camera;
+  uint reflected;
+  uint refracted;
+  uint shadow;
+};
+
+KERNEL_END
+
+#endif

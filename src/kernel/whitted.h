@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whitted's integrator (Whitted 1980, "An improved illumination model for shaded display") as steps on a
+// state: WhittedBegin makes the ray from the camera, each WhittedStep follows one ray of the tree to its
+// surface, adds the light that the surface sends back and queues the reflected and the refracted ray, until
+// no ray is left. A CPU loops over the steps; a GPU may launch them one by one over many states.
+// Reads all buffers of the scene.
+#ifndef SNELL_KERNEL_WHITTED_H
+#define SNELL_KERNEL_WHITTED_H
+
+// Start sample `sampleIndex` of a pixel.
+SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex) {
+  s.seed = HashCombine(HashCombine(params.seed, pixel.x), pixel.y);
+  s.sampleIndex = sampleIndex;
+  s.dimension = 1u;
+  s.dropped = 0u;
+  s.waiting = 0u;
+  s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.rays.camera = 0u;
+  s.rays.reflected = 0u;
+  s.rays.refracted = 0u;
+  s.rays.shadow = 0u;
+
+  // Place the sample in the image plane by the pixel filter
+  vec2 u = Sobol2D(sampleIndex, HashCombine(s.seed, 0u));
+  vec2 offset = SamplePixelFilter(params.filterKind, params.filterRadius, u);
+  vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
+  s.branch.ray = GenerateRay(params.camera, place);
+  s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f);
+  s.branch.depth = 1u;
+  s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
+  s.alive = 1u;
+  s.rays.camera += 1u;
+}
+
+// Go on with the branch that waited last, or end.
+SCENE_FN void WhittedNext(INOUT(WhittedState) s) {
+  if (s.waiting == 0u) {
+    s.alive = 0u;
+    return;
+  }
+  s.waiting -= 1u;
+  s.branch = s.stack[s.waiting];
+}
+
+SCENE_FN void WhittedWait(INOUT(WhittedState) s, IN(WhittedBranch) branch) {
+  if (s.waiting == WhittedStackSize) {
+    s.dropped += 1u;
+    return;
+  }
+  s.stack[s.waiting] = branch;
+  s.waiting += 1u;
+}
+
+// A term's colour at the surface, after its share of the light.
+SCENE_FN Spectrum TermColor(IN(Term) term, IN(SurfaceInteraction) it, IN(Shares) shares) {
+  bool specular = term.kind == TERM_PHONG || term.kind == TERM_BLINN;
+  Spectrum share = specular ? Spectrum(1.0f, 1.0f, 1.0f) - shares.refraction : shares.own;
+  return share * EvalColor(term.color, it);
+}
+
+// How many shadow rays a soft light gets at this hit: fewer where the pixel would hardly see the difference.
+SCENE_FN uint LightSampleCount(IN(Light) light, Spectrum weight) {
+  float wanted = float(light.samples) * Clamp(MaxChannel(weight), 0.0f, 1.0f);
+  return uint(Max(wanted + 0.999f, 1.0f));
+}
+
+CONST uint CachedTerms = 8u;
+
+// The light that a surface sends towards wo by its shader terms. Normals `n` and `ns` are on wo's side.
+SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(Material) material,
+                          IN(Shares) shares, vec3 wo, vec3 n, vec3 ns, IN(MediumStack) media) {
+  // Evaluate the colours once for all lights
+  Spectrum colors[8];
+  Spectrum L = Spectrum(0.0f, 0.0f, 0.0f);
+  bool lit = false;
+  for (uint i = 0u; i < material.termCount; ++i) {
+    LET(Term) term = terms[material.firstTerm + i];
+    Spectrum color = TermColor(term, it, shares);
+    if (i < CachedTerms) colors[i] = color;
+    if (term.kind == TERM_AMBIENT) {
+      L += color * params.ambient;
+    } else if (!IsBlack(color)) {
+      lit = true;
+    }
+  }
+  if (!lit) return L;
+
+  for (uint lightIndex = 0u; lightIndex < params.lightCount; ++lightIndex) {
+    LET(Light) light = lights[lightIndex];
+    uint sampleCount = LightSampleCount(light, s.branch.weight);
+    uint dimensionSeed = HashCombine(s.seed, s.dimension);
+    s.dimension += 1u;
+    Spectrum sum = Spectrum(0.0f, 0.0f, 0.0f);
+    for (uint i = 0u; i < sampleCount; ++i) {
+      LightLiSample li = SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
+      if (IsBlack(li.irradiance) || Dot(n, li.wi) <= 0.0f) continue;
+
+      // Add up the terms, then see whether the light arrives
+      Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
+      for (uint k = 0u; k < material.termCount; ++k) {
+        LET(Term) term = terms[material.firstTerm + k];
+        float lobe = EvalTerm(term.kind, term.normalized == 1u, term.exponent, ns, wo, li.wi);
+        if (lobe <= 0.0f) continue;
+        if (k < CachedTerms) {
+          f += colors[k] * lobe;
+        } else {
+          f += TermColor(term, it, shares) * lobe;
+        }
+      }
+      if (IsBlack(f)) continue;
+      vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
+      s.rays.shadow += 1u;
+      sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media);
+    }
+    L += sum * (1.0f / float(sampleCount));
+  }
+  return L;
+}
+
+// A mirrored direction that stays on the outer side of the surface, which a shading normal may not grant.
+SCENE_FN vec3 ReflectOutside(vec3 d, vec3 n, vec3 ns) {
+  vec3 r = Reflect(d, ns);
+  float below = Dot(r, n);
+  if (below > 1e-3f) return r;
+  return Normalize(r + n * (1e-3f - below));
+}
+
+// A refracted direction that stays on the inner side.
+SCENE_FN vec3 RefractInside(vec3 d, vec3 n, vec3 ns, float cosIncident, float cosRefracted, float eta) {
+  vec3 r = Refract(d, ns, cosIncident, cosRefracted, eta);
+  float above = Dot(r, n);
+  if (above < -1e-3f) return Normalize(r);
+  return Normalize(r - n * (above + 1e-3f));
+}
+
+// Trace the current branch, shade what it meets, queue its children.
+SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
+  WhittedBranch branch = s.branch;
+  Ray ray = branch.ray;
+  Hit hit = ClosestHit(ray, Infinite, branch.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
+  if (hit.primitive == None) {
+    s.L += branch.weight * EnvironmentLe(params.environment, ray.d);
+    WhittedNext(s);
+    return;
+  }
+  SurfaceInteraction it = SurfaceAt(hit, ray);
+  LET(Object) object = objects[it.object];
+  LET(Material) material = materials[object.material];
+  vec3 wo = -ray.d;
+  vec3 n = FaceForward(it.n, wo);
+  vec3 ns = FaceForward(it.ns, n);
+
+  // Absorb on the way through the medium that the ray came through
+  MediumStack media = MediaBehind(branch.media, it, ray.d);
+  uint inside = CurrentMedium(media);
+  branch.weight = branch.weight * MediumTransmittance(inside, it.t);
+
+  // The surface of an area light shines from its front
+  if (object.light != None) {
+    if (Dot(it.n, wo) > 0.0f) s.L += branch.weight * lights[object.light].emission;
+    WhittedNext(s);
+    return;
+  }
+
+  // Find what lies behind a refractive boundary
+  bool hasInside = material.refractive == 1u && material.thin == 0u;
+  MediumStack mediaBehind = media;
+  float eta = material.ior / MediumIor(inside);
+  if (hasInside) {
+    mediaBehind = Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
+    uint behind = CurrentMedium(mediaBehind);
+    if (behind == inside) {
+      // A boundary within a body of higher priority is not there
+      s.branch.weight = branch.weight;
+      s.branch.media = mediaBehind;
+      s.branch.ray.o = OffsetRayOrigin(it.p, it.pError, it.n, ray.d);
+      return;
+    }
+    eta = MediumIor(behind) / MediumIor(inside);
+  }
+
+  // Share the light between the surface's own colour, reflection and refraction
+  float cosIncident = Clamp(Dot(wo, ns), 0.0f, 1.0f);
+  float cosRefracted = RefractedCosine(cosIncident, eta);
+  float fresnel = FrDielectric(cosIncident, cosRefracted, eta);
+  if (material.thin == 1u) fresnel = SheetReflectance(fresnel);
+  Spectrum transparency = Spectrum(0.0f, 0.0f, 0.0f);
+  if (material.refractive == 1u) transparency = EvalColor(material.transparency, it);
+  Spectrum reflectivity = ReflectivityAt(material.reflection, EvalColor(material.reflectivity, it),
+                                         cosIncident, material.ior / MediumIor(inside));
+  Shares shares = ShareLight(transparency, reflectivity, fresnel);
+
+  // Add the light of the surface itself
+  s.branch.weight = branch.weight;
+  s.L += branch.weight * (EvalColor(material.emission, it) +
+                          TermsLo(s, it, material, shares, wo, n, ns, media));
+
+  // Follow the lesser branch, let the greater wait
+  Spectrum reflectedWeight = branch.weight * shares.reflection;
+  Spectrum refractedWeight = branch.weight * shares.refraction;
+  bool deeper = branch.depth < params.maxDepth;
+  float least = Max(params.minContribution, 1e-12f);
+  bool reflects = deeper && MaxChannel(reflectedWeight) >= least;
+  bool refracts = deeper && MaxChannel(refractedWeight) >= least;
+  WhittedBranch reflected = branch;
+  reflected.depth = branch.depth + 1u;
+  WhittedBranch refracted = reflected;
+  if (reflects) {
+    reflected.ray.d = ReflectOutside(ray.d, n, ns);
+    reflected.ray.o = OffsetRayOrigin(it.p, it.pError, n, reflected.ray.d);
+    reflected.weight = reflectedWeight;
+    reflected.media = media;
+    s.rays.reflected += 1u;
+  }
+  if (refracts) {
+    refracted.ray.d = ray.d;
+    if (hasInside) refracted.ray.d = RefractInside(ray.d, n, ns, cosIncident, cosRefracted, eta);
+    refracted.ray.o = OffsetRayOrigin(it.p, it.pError, n, -n);
+    refracted.weight = refractedWeight;
+    refracted.media = mediaBehind;
+    s.rays.refracted += 1u;
+  }
+  if (reflects && refracts) {
+    if (MeanChannel(reflectedWeight) < MeanChannel(refractedWeight)) {
+      WhittedWait(s, refracted);
+      s.branch = reflected;
+    } else {
+      WhittedWait(s, reflected);
+      s.branch = refracted;
+    }
+  } else if (reflects) {
+    s.branch = reflected;
+  } else if (refracts) {
+    s.branch = refracted;
+  } else {
+    WhittedNext(s);
+  }
+}
+
+#endif

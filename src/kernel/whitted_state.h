@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the Whitted integrator keeps between its steps: the branch of the ray tree being followed, the
+// branches that wait, and the radiance gathered so far.
+#ifndef SNELL_KERNEL_WHITTED_STATE_H
+#define SNELL_KERNEL_WHITTED_STATE_H
+
+#include "kernel/ray.h"
+
+KERNEL_BEGIN
+
+// A ray of the tree that has not been traced yet.
+struct WhittedBranch {
+  Ray ray;
+  Spectrum weight;  // what its radiance counts in the pixel
+  uint depth;       // 1 for rays from the camera
+  MediumStack media;
+};
+
+// The lesser of two branches is followed first and the greater waits, so the followed weight halves with
+// every branch that waits: thirty-two places reach weights of 2⁻³² at any depth.
+CONST uint WhittedStackSize = 32u;
+
+struct WhittedState {
+  WhittedBranch branch;
+  uint alive;  // 1: `branch` is to be traced
+  uint waiting;
+  WhittedBranch stack[32];
+  Spectrum L;
+  uint seed;         // of this pixel
+  uint sampleIndex;  // of this pixel
+  uint dimension;    // pairs of sample dimensions used
+  uint dropped;      // branches that found the stack full
+  RayCounts rays;
+};
+
+KERNEL_END
+
+#endif

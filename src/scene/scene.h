@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scene as plain records and indices: what a file says, after names have been resolved and before any
+// device has prepared it. Readers fill it (src/io), validation checks it (validate.h), devices flatten it
+// (src/cpu/flatten.h). Units and spaces: docs/conventions.md. Records copy and compare for nothing; a
+// Scene owns all that it refers to.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <limits>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "kernel/types.h"
+#include "util/error.h"
+
+namespace snell::scene {
+
+using kernel::Spectrum;
+using kernel::uvec3;
+using kernel::vec2;
+using kernel::vec3;
+
+// Maps an object's coordinates to the world's; double precision because transforms are nested. The last
+// row is 0 0 0 1.
+using Affine = glm::dmat4;
+
+// Indices into the Scene's arrays; -1 is none.
+using TextureIndex = int;
+using MaterialIndex = int;
+using MeshIndex = int;
+
+// --- Textures and materials -----------------------------------------------------------------------------
+
+enum class TextureKind { Checker, Stripes, Gradient, Marble, Wood };
+enum class TextureSpace { Uv, Object, World };
+
+struct Texture {
+  std::string name;
+  TextureKind kind = TextureKind::Checker;
+  TextureSpace space = TextureSpace::Uv;
+  Spectrum colorA{0.1f};
+  Spectrum colorB{0.9f};
+  float turbulence = 0;
+  int octaves = 4;
+  bool smooth = false;
+  Affine placement{1.0};  // from pattern space, where one unit is one period, to `space`
+};
+
+// A colour, or a texture multiplied by a colour.
+struct ColorInput {
+  Spectrum value{0.0f};
+  TextureIndex texture = -1;
+};
+
+enum class TermKind { Ambient, Diffuse, Phong, Blinn };
+
+// One shader term of a classic material.
+struct Term {
+  TermKind kind = TermKind::Diffuse;
+  ColorInput color{Spectrum(1.0f)};
+  float exponent = 32;      // of the specular terms
+  bool normalized = false;  // specular: scaled to conserve energy
+};
+
+enum class ReflectionModel { Constant, Fresnel, Schlick };
+
+// The classic material: terms, added; then reflection and refraction (kernel/interface.h has the rule).
+struct Material {
+  std::string name;
+  std::vector<Term> terms;
+  ColorInput emission;  // radiance, W/(sr·m²)
+  ColorInput reflectivity;
+  ReflectionModel reflection = ReflectionModel::Constant;
+  ColorInput transparency;
+  float ior = 1.5f;
+  bool thin = false;  // a sheet: refracts nothing and has no inside
+  Spectrum attenuationColor{1.0f};  // what is left of white light after attenuationDistance
+  float attenuationDistance = std::numeric_limits<float>::infinity();  // metres
+  int priority = 0;  // where insides overlap, the higher one fills the space
+
+  bool Refractive() const { return transparency.texture >= 0 || transparency.value != Spectrum(0.0f); }
+};
+
+// --- Lights ---------------------------------------------------------------------------------------------
+
+enum class LightKind { Ambient, Directional, Point, Spot, Rectangle, Triangle, Disk, Sphere };
+enum class Falloff { None, Linear, InverseSquare };
+
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::Point;
+  Spectrum color{1.0f};
+  // W/sr (point, spot), W/m² facing the light (directional), W/(sr·m²) (ambient and areas)
+  float strength = 1;
+  Falloff falloff = Falloff::InverseSquare;
+  float falloffFactor = 1;  // linear: irradiance = intensity / (distance · factor)
+  float range = 0;          // metres, 0 = unlimited
+  int samples = 4;          // shadow rays per camera sample, for lights with an extent
+  bool visible = true;      // area lights: seen by the camera and in mirrors
+  vec3 position{0.0f};      // point, spot; centre of disk and sphere; corner of rectangle and triangle
+  vec3 direction{0, -1, 0};  // that the light travels in; the normal of disk; unit length
+  vec3 edgeU{1, 0, 0};      // rectangle and triangle; their normal is U × V
+  vec3 edgeV{0, 0, -1};
+  float radius = 0;  // disk, sphere; point and spot: makes their shadows soft
+  float innerAngle = 0;  // spot: half angles from the axis, radians
+  float outerAngle = 0;
+  float angularSize = 0;  // directional: diameter as seen from the scene, radians
+};
+
+// --- Geometry -------------------------------------------------------------------------------------------
+
+struct Sphere {
+  vec3 center{0.0f};
+  float radius = 1;
+};
+struct Plane {  // infinite
+  vec3 point{0.0f};
+  vec3 normal{0, 1, 0};
+};
+struct Disk {
+  vec3 center{0.0f};
+  vec3 normal{0, 1, 0};
+  float radius = 1;
+  float innerRadius = 0;
+};
+struct Rectangle {  // a parallelogram; the normal is U × V
+  vec3 corner{-0.5f, 0, 0.5f};
+  vec3 edgeU{1, 0, 0};
+  vec3 edgeV{0, 0, -1};
+};
+struct Box {
+  vec3 lower{-1.0f};
+  vec3 upper{1.0f};
+};
+struct Cone {  // a cylinder if the radii are equal
+  vec3 base{0.0f};
+  vec3 top{0, 1, 0};
+  float radius = 1;
+  float topRadius = 0;
+  bool capped = true;
+};
+struct Torus {
+  vec3 center{0.0f};
+  vec3 axis{0, 1, 0};
+  float majorRadius = 1;
+  float minorRadius = 0.25f;
+};
+struct MeshGeometry {
+  MeshIndex mesh = -1;
+};
+
+using Geometry = std::variant<Sphere, Plane, Disk, Rectangle, Box, Cone, Torus, MeshGeometry>;
+
+// Triangles over shared vertices. `normals` and `uvs` are empty or have an entry per position. Vertices
+// count counter-clockwise seen from outside; normals, where given, say themselves which side is outside.
+struct Mesh {
+  std::string name;
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;
+  std::vector<vec2> uvs;
+  std::vector<uvec3> triangles;
+};
+
+// One thing in the world. Objects that share a mesh are instances of it.
+struct Object {
+  std::string name;
+  Geometry geometry;
+  MaterialIndex material = -1;
+  Affine toWorld{1.0};
+  bool visibleToCamera = true;
+  bool visibleToSecondary = true;  // in mirrors and through glass
+  bool castsShadow = true;
+  Place place;  // in the file it comes from, for messages
+};
+
+// --- Camera, surroundings, settings ---------------------------------------------------------------------
+
+enum class CameraKind { Pinhole, Orthographic };
+
+struct Camera {
+  std::string name;
+  CameraKind kind = CameraKind::Pinhole;
+  vec3 position{0, 0, 5};
+  vec3 lookAt{0.0f};
+  vec3 up{0, 1, 0};
+  float fov = 0.698f;  // pinhole: vertical angle of view, radians
+  float height = 2;    // orthographic: height of the view, metres
+};
+
+// What is seen behind everything, and the index of refraction of the space around the objects.
+struct Environment {
+  Spectrum bottom{0.0f};
+  Spectrum top{0.0f};
+  float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
+  float topElevation = 1.5707963f;
+  float ior = 1;
+};
+
+enum class Integrator { Whitted };
+enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
+
+// What a file may say about how it wants to be rendered; the command line overrides it.
+struct RenderSettings {
+  int width = 800;
+  int height = 600;
+  int spp = 16;  // samples per pixel
+  Integrator integrator = Integrator::Whitted;
+  int maxDepth = 16;               // 1: rays from the camera only
+  float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
+  PixelFilter filter = PixelFilter::BlackmanHarris;
+  float filterRadius = 0;  // pixels; 0: the filter's usual one
+  float exposure = 0;      // stops, for pictures that are not linear
+  bool tintedShadows = true;
+  std::uint32_t seed = 0;
+};
+
+struct Scene {
+  std::string name;  // for messages and metadata: the file's name
+  RenderSettings settings;
+  std::vector<Camera> cameras;  // the first one is the default; empty: frame everything
+  Environment environment;
+  std::vector<Light> lights;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Object> objects;
+};
+
+}  // namespace snell::scene

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "util/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "util/error.h"
+
+namespace snell {
+
+namespace fs = std::filesystem;
+
+static std::string Reason() { return std::strerror(errno); }
+
+std::string ReadFile(const fs::path& path, std::uint64_t limit) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
+  struct Closer {
+    int file;
+    ~Closer() { ::close(file); }
+  } closer{file};
+
+  // Check kind and size before any memory is taken
+  struct stat status = {};
+  if (::fstat(file, &status) != 0)
+    throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
+  if (!S_ISREG(status.st_mode)) throw Error("not a regular file", {path.string()});
+  if (std::uint64_t(status.st_size) > limit)
+    throw Error(fmt::format("the file has {} bytes; the limit is {}", status.st_size, limit),
+                {path.string()});
+
+  std::string bytes(std::size_t(status.st_size), '\0');
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t got = ::read(file, bytes.data() + filled, bytes.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
+    if (got == 0) break;
+    filled += std::size_t(got);
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::string_view name) {
+  std::string portable(name);
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  if (portable.empty()) throw Error("the file name is empty");
+  const bool driveLetter = portable.size() > 1 && portable[1] == ':';
+  if (portable[0] == '/' || driveLetter)
+    throw Error(fmt::format("'{}' is an absolute path", name), {},
+                "files are read only from the scene's own folder and the folders in it");
+
+  // Resolve symbolic links too: what counts is where the bytes lie
+  std::error_code ignored;
+  const fs::path path = fromFolder / portable;
+  const fs::path realRoot = fs::weakly_canonical(root.empty() ? fs::path(".") : root, ignored);
+  const fs::path realPath = fs::weakly_canonical(path, ignored);
+  const auto [rootEnd, pathRest] =
+      std::mismatch(realRoot.begin(), realRoot.end(), realPath.begin(), realPath.end());
+  if (rootEnd != realRoot.end())
+    throw Error(fmt::format("'{}' lies outside the scene's folder", name), {},
+                "files are read only from the scene's own folder and the folders in it");
+  return path;
+}
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+  temporary_ = path_;
+  temporary_ += fmt::format(".partial-{}", ::getpid());
+  if (fs::is_directory(path_)) {
+    errno = EISDIR;
+    Fail("write");
+  }
+  stream_ = std::fopen(temporary_.c_str(), "wb");
+  if (!stream_) Fail("write");
+}
+
+AtomicFile::~AtomicFile() {
+  if (!stream_) return;
+  std::fclose(stream_);
+  ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::Write(const void* bytes, std::size_t size) {
+  if (std::fwrite(bytes, 1, size, stream_) != size) Fail("write");
+}
+
+void AtomicFile::Commit() {
+  if (std::fflush(stream_) != 0 || ::fsync(::fileno(stream_)) != 0) Fail("write");
+  std::FILE* stream = stream_;
+  stream_ = nullptr;
+  if (std::fclose(stream) != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    const int cause = errno;
+    ::unlink(temporary_.c_str());
+    errno = cause;
+    Fail("write");
+  }
+}
+
+void AtomicFile::Fail(const char* verb) {
+  throw Error(fmt::format("cannot {} the file: {}", verb, Reason()), {path_.string()});
+}
+
+void WriteFile(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.Write(bytes);
+  file.Commit();
+}
+
+std::string LowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace snell
