@@ -41,3 +41,14 @@ function(snell_room name)
   target_link_libraries(snell_${name} PUBLIC ${ROOM_LINK} PRIVATE ${ROOM_PRIVATE_LINK})
   snell_options(snell_${name})
 endfunction()
+
+# snell_test(name SOURCES ... [LINK rooms]) makes a GoogleTest program whose tests CTest runs one by one.
+# Sources may be given relative to the current directory.
+function(snell_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_LINK} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE SNELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  snell_options(${name})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -23,7 +23,7 @@ namespace snell {
 // A place in a file. `line` and `column` count from 1; 0 means unknown. `offset` is a byte offset for
 // binary files, -1 where it has no meaning.
 struct Place {
-  std::string file;
+  std::string file = {};
   int line = 0;
   int column = 0;
   std::int64_t offset = -1;
@@ -35,8 +35,8 @@ SNELL_EXPORT std::string ToString(const Place& place);
 // One finding about an input: what is wrong, where, and what may help. `hint` may be empty.
 struct Diagnostic {
   std::string message;
-  Place place;
-  std::string hint;
+  Place place = {};
+  std::string hint = {};
 };
 
 // "place: message; hint" on one line, without the parts that are empty.

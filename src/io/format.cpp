@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/format.h"
+
+#include "util/file.h"
+
+namespace snell::io {
+
+Format FormatOf(const std::filesystem::path& path) {
+  const std::string extension = LowerExtension(path);
+  if (extension == "toml") return Format::Toml;
+  if (extension == "nff") return Format::Nff;
+  if (extension == "obj" || extension == "ply" || extension == "stl") return Format::Mesh;
+  return Format::Unknown;
+}
+
+std::string KnownFormats() { return "toml, nff, obj, ply, stl"; }
+
+}  // namespace snell::io

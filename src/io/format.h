@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which reader a file is for.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace snell::io {
+
+enum class Format { Toml, Nff, Mesh, Unknown };
+
+// By the file's extension.
+Format FormatOf(const std::filesystem::path& path);
+
+// "toml, nff, obj, ply, stl", for messages.
+std::string KnownFormats();
+
+}  // namespace snell::io
