@@ -31,7 +31,8 @@ FN float EvalTerm(uint kind, bool normalized, float exponent, vec3 n, vec3 wo, v
       if (cosHalf <= 0.0f) return 0.0f;
       float lobe = InvPi * Pow(Min(cosHalf, 1.0f), exponent);
       if (!normalized) return lobe;
-      float scale = (exponent + 2.0f) * (exponent + 4.0f) / (8.0f * (Exp2(-0.5f * exponent) + exponent));
+      float scale =
+          (exponent + 2.0f) * (exponent + 4.0f) / (8.0f * (Exp2(-0.5f * exponent) + exponent));
       return lobe * scale * cosIn;
     }
   }

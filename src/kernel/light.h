@@ -33,14 +33,18 @@ FN LightLiSample SampleFlatLight(IN(Light) light, vec3 p, vec3 onLight) {
   s.wi = toLight / distance;
   float cosLight = -Dot(light.direction, s.wi);
   s.distance = DistanceToLight(p, onLight, light.direction, s.wi, distance);
-  float geometry = cosLight > 0.0f && distance > 0.0f ? cosLight * light.area / (distance * distance) : 0.0f;
+  float geometry = 0.0f;
+  if (cosLight > 0.0f && distance > 0.0f) {
+    geometry = cosLight * light.area * DistanceFalloff(light.falloff, distance, light.factor);
+  }
   s.irradiance = light.emission * (geometry * RangeWindow(distance, light.range));
   return s;
 }
 
 // A sphere of radiance L and radius r: uniform over the directions that it fills as seen from p. Returns the
 // solid angle in `solidAngle`; from inside, all directions.
-FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 u, OUT(float) solidAngle) {
+FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 u,
+                                        OUT(float) solidAngle) {
   LightLiSample s;
   vec3 toCenter = center - p;
   float distance = Length(toCenter);
@@ -72,6 +76,12 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
   return s;
 }
 
+// What a sphere's solid angle stands for: its intensity per radiance, π r², with the light's falloff.
+FN float SphereStrength(IN(Light) light, float distance, float solidAngle) {
+  if (light.falloff == FALLOFF_INVERSE_SQUARE) return solidAngle;
+  return Pi * light.radius * light.radius * DistanceFalloff(light.falloff, distance, light.factor);
+}
+
 // Light from a point or spot light. One with a radius is a sphere of the same intensity: physically so
 // under the inverse-square law, else only in its shadows.
 FN LightLiSample SamplePointLight(IN(Light) light, vec3 p, vec2 u) {
@@ -82,13 +92,14 @@ FN LightLiSample SamplePointLight(IN(Light) light, vec3 p, vec2 u) {
   if (light.radius > 0.0f) {
     float solidAngle;
     s = SampleSphereDirections(light.position, light.radius, p, u, solidAngle);
-    if (light.falloff == FALLOFF_INVERSE_SQUARE) strength = solidAngle / (Pi * light.radius * light.radius);
+    strength = SphereStrength(light, distance, solidAngle) / (Pi * light.radius * light.radius);
   } else {
     s.wi = toLight / distance;
     s.distance = distance;
   }
   if (light.kind == LIGHT_SPOT) {
-    strength *= SpotFalloff(-Dot(light.direction, toLight) / distance, light.cosInner, light.cosOuter);
+    strength *=
+        SpotFalloff(-Dot(light.direction, toLight) / distance, light.cosInner, light.cosOuter);
   }
   if (distance <= 0.0f) strength = 0.0f;
   s.irradiance = light.emission * (strength * RangeWindow(distance, light.range));
@@ -99,8 +110,8 @@ FN LightLiSample SampleDirectionalLight(IN(Light) light, vec2 u) {
   LightLiSample s;
   vec3 axis = -light.direction;
   s.wi = axis;
-  if (light.cosInner < 1.0f) {
-    vec3 local = SampleUniformCone(u, 1.0f - light.cosInner);
+  if (light.oneMinusCos > 0.0f) {
+    vec3 local = SampleUniformCone(u, light.oneMinusCos);
     vec3 tangent;
     vec3 bitangent;
     CoordinateSystem(axis, tangent, bitangent);
@@ -123,13 +134,15 @@ FN LightLiSample SampleLi(IN(Light) light, vec3 p, vec2 u) {
     }
     case LIGHT_DISK: {
       vec2 disk = SampleUniformDisk(u);
-      return SampleFlatLight(light, p, light.position + light.edgeU * disk.x + light.edgeV * disk.y);
+      return SampleFlatLight(light, p,
+                             light.position + light.edgeU * disk.x + light.edgeV * disk.y);
     }
     case LIGHT_SPHERE: {
       float solidAngle;
       LightLiSample s = SampleSphereDirections(light.position, light.radius, p, u, solidAngle);
       float distance = Length(light.position - p);
-      s.irradiance = light.emission * (solidAngle * RangeWindow(distance, light.range));
+      float strength = SphereStrength(light, distance, solidAngle);
+      s.irradiance = light.emission * (strength * RangeWindow(distance, light.range));
       return s;
     }
   }

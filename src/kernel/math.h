@@ -114,8 +114,9 @@ FN void SinCos(float x, OUT(float) sine, OUT(float) cosine) {
   float r = ((x - k * 1.5703125f) - k * 4.837512969970703125e-4f) - k * 7.54978995489188216e-8f;
   float z = r * r;
   float s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;
-  float c = ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
-            0.5f * z + 1.0f;
+  float c =
+      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
+      0.5f * z + 1.0f;
   uint quadrant = uint(int(k)) & 3u;
   float first = (quadrant & 1u) == 0u ? s : c;
   float second = (quadrant & 1u) == 0u ? c : s;
@@ -155,7 +156,8 @@ FN vec3 Exp(vec3 v) { return vec3(Exp(v.x), Exp(v.y), Exp(v.z)); }
 
 // Base-2 logarithm of a positive normal float.
 FN float Log2(float x) {
-  uint bits = floatBitsToUint(x) - 0x3f3504f3u;  // the bits of √½: the mantissa will lie in [√½, √2)
+  uint bits =
+      floatBitsToUint(x) - 0x3f3504f3u;  // the bits of √½: the mantissa will lie in [√½, √2)
   int exponent = int(bits) >> 23;
   float m = uintBitsToFloat((bits & 0x007fffffu) + 0x3f3504f3u);
   float s = (m - 1.0f) / (m + 1.0f);
@@ -173,7 +175,8 @@ FN float Pow(float x, float y) {
 
 FN float AsinPolynomial(float x) {
   float z = x * x;
-  return ((((4.2163199048e-2f * z + 2.4181311049e-2f) * z + 4.5470025998e-2f) * z + 7.4953002686e-2f) *
+  return ((((4.2163199048e-2f * z + 2.4181311049e-2f) * z + 4.5470025998e-2f) * z +
+           7.4953002686e-2f) *
               z +
           1.6666752422e-1f) *
              z * x +

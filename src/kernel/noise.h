@@ -33,7 +33,8 @@ FN float Noise(vec3 p) {
   float u = NoiseFade(x);
   float v = NoiseFade(y);
   float w = NoiseFade(z);
-  float x00 = Lerp(u, GradientDot(ix, iy, iz, x, y, z), GradientDot(ix + 1, iy, iz, x - 1.0f, y, z));
+  float x00 =
+      Lerp(u, GradientDot(ix, iy, iz, x, y, z), GradientDot(ix + 1, iy, iz, x - 1.0f, y, z));
   float x10 = Lerp(u, GradientDot(ix, iy + 1, iz, x, y - 1.0f, z),
                    GradientDot(ix + 1, iy + 1, iz, x - 1.0f, y - 1.0f, z));
   float x01 = Lerp(u, GradientDot(ix, iy, iz + 1, x, y, z - 1.0f),

@@ -53,7 +53,8 @@ FN float SampleBlackmanHarris(float u) {
     float integral = Blackman0 * Pi * (x + 1.0f) + Blackman1 * s1 + 0.5f * Blackman2 * s2 +
                      (1.0f / 3.0f) * Blackman3 * s3;
     float error = integral / (2.0f * Blackman0 * Pi) - u;
-    float density = (Blackman0 + Blackman1 * c1 + Blackman2 * c2 + Blackman3 * c3) / (2.0f * Blackman0);
+    float density =
+        (Blackman0 + Blackman1 * c1 + Blackman2 * c2 + Blackman3 * c3) / (2.0f * Blackman0);
     x = Clamp(x - error / Max(density, 1e-3f), -1.0f, 1.0f);
   }
   return x;

@@ -12,7 +12,7 @@ KERNEL_BEGIN
 
 // A point on a surface, in world space.
 struct SurfaceInteraction {
-  float t;      // along the ray, in units of its direction's length
+  float t;  // along the ray, in units of its direction's length
   vec3 p;
   vec3 pError;  // bound of p's error per coordinate
   vec3 n;       // geometric unit normal, to the outside of the surface

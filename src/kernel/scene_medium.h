@@ -60,7 +60,8 @@ SCENE_FN MediumStack MediaAround(IN(Ray) start) {
 
   // The innermost object is left first: turn the order round
   MediumStack media = NoMedia();
-  for (uint i = containing.count; i > 0u; --i) media = EnterMedium(media, containing.object[i - 1u]);
+  for (uint i = containing.count; i > 0u; --i)
+    media = EnterMedium(media, containing.object[i - 1u]);
   return media;
 }
 

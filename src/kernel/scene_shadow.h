@@ -7,12 +7,14 @@
 #define SNELL_KERNEL_SCENE_SHADOW_H
 
 // What a clear surface lets pass of light that goes straight through; `media` is brought up to date.
-SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi, INOUT(MediumStack) media) {
+SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi,
+                                        INOUT(MediumStack) media) {
   LET(Material) material = materials[objects[it.object].material];
   Spectrum transparency = EvalColor(material.transparency, it);
   float cosIncident = abs(Dot(wi, it.n));
   if (material.thin == 1u) {
-    float fresnel = FrDielectric(cosIncident, RefractedCosine(cosIncident, material.ior), material.ior);
+    float fresnel =
+        FrDielectric(cosIncident, RefractedCosine(cosIncident, material.ior), material.ior);
     return transparency * (1.0f - SheetReflectance(fresnel));
   }
 
@@ -35,7 +37,8 @@ SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi, INOU
 
 // The share of light that arrives at `start` from the direction wi, from as far as `distance`. `media` is
 // what surrounds the start.
-SCENE_FN Spectrum LightTransmittance(vec3 start, vec3 wi, float distance, IN(MediumStack) mediaAtStart) {
+SCENE_FN Spectrum LightTransmittance(vec3 start, vec3 wi, float distance,
+                                     IN(MediumStack) mediaAtStart) {
   Ray ray;
   ray.o = start;
   ray.d = wi;
@@ -59,7 +62,8 @@ SCENE_FN Spectrum LightTransmittance(vec3 start, vec3 wi, float distance, IN(Med
     ray.o = next;
     if (left <= 0.0f) return transmittance;
   }
-  if (left < Infinite) transmittance = transmittance * MediumTransmittance(CurrentMedium(media), left);
+  if (left < Infinite)
+    transmittance = transmittance * MediumTransmittance(CurrentMedium(media), left);
   return transmittance;
 }
 

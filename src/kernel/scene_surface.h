@@ -31,7 +31,8 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   // Interpolate what the vertices bring; where they bring normals, these say which side is outside
   it.ns = it.n;
   if (mesh.normals != None) {
-    it.ns = normals[triangle.v0 + mesh.normals] * th.b0 + normals[triangle.v1 + mesh.normals] * th.b1 +
+    it.ns = normals[triangle.v0 + mesh.normals] * th.b0 +
+            normals[triangle.v1 + mesh.normals] * th.b1 +
             normals[triangle.v2 + mesh.normals] * th.b2;
     if (LengthSquared(it.ns) == 0.0f) it.ns = it.n;
     it.n = FaceForward(it.n, it.ns);

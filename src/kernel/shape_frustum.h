@@ -86,7 +86,8 @@ FN float IntersectTube(vec3 o, vec3 d, float r0, float r1, float height) {
   return last > 0.0f && last < Infinite && y >= 0.0f && y <= height ? last : -1.0f;
 }
 
-FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, bool closed, float t) {
+FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, bool closed,
+                               float t) {
   LocalSurface s;
   s.p = o + t * d;
   float k = (r1 - r0) / height;

@@ -61,7 +61,8 @@ FN float UnitFloat(uint x) { return float(x >> 8) * 5.9604644775390625e-8f; }
 FN vec2 Sobol2D(uint index, uint seed) {
   uint shuffled = ScrambleReversed(ReverseBits(index), seed);  // bit-reversed
   uint x = ReverseBits(ScrambleReversed(ReverseBits(shuffled), HashUint(seed ^ 0xa511e9b3u)));
-  uint y = ReverseBits(ScrambleReversed(ReverseBits(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
+  uint y = ReverseBits(
+      ScrambleReversed(ReverseBits(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
   return vec2(UnitFloat(x), UnitFloat(y));
 }
 

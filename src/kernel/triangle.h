@@ -61,7 +61,8 @@ FN bool StartsOnPlane(vec3 o, vec3 d, vec3 v0, vec3 v1, vec3 v2, float t) {
   float slope = Dot(n, d);
   vec3 a1 = Abs(e1);
   vec3 a2 = Abs(e2);
-  vec3 nBound = vec3(a1.y * a2.z + a1.z * a2.y, a1.z * a2.x + a1.x * a2.z, a1.x * a2.y + a1.y * a2.x);
+  vec3 nBound =
+      vec3(a1.y * a2.z + a1.z * a2.y, a1.z * a2.x + a1.x * a2.z, a1.x * a2.y + a1.y * a2.x);
   float error = Gamma(6.0f) * Dot(nBound, Abs(toPlane));
   return slope > 0.0f ? distance <= error : distance >= -error;
 }

@@ -43,15 +43,15 @@ struct Object {
   Transform toWorld;
 };
 
-CONST uint SHAPE_SPHERE = 0u;     // radius a around the origin of toWorld, whose axes are a rotation
+CONST uint SHAPE_SPHERE = 0u;  // radius a around the origin of toWorld, whose axes are a rotation
 CONST uint SHAPE_ELLIPSOID = 1u;  // the unit sphere
 CONST uint SHAPE_PLANE = 2u;      // y = 0, normal +y
 CONST uint SHAPE_DISK = 3u;       // y = 0, outer radius 1, inner radius a
 CONST uint SHAPE_RECTANGLE = 4u;  // y = 0, x and −z in [0, 1]
 CONST uint SHAPE_BOX = 5u;        // [−1, 1]³
-CONST uint SHAPE_FRUSTUM = 6u;    // around +y, radius a at y = 0 and b at y = c; closed by two disks
-CONST uint SHAPE_TUBE = 7u;       // a frustum without the disks
-CONST uint SHAPE_TORUS = 8u;      // around +y, radius a to the middle of a tube of radius b
+CONST uint SHAPE_FRUSTUM = 6u;  // around +y, radius a at y = 0 and b at y = c; closed by two disks
+CONST uint SHAPE_TUBE = 7u;     // a frustum without the disks
+CONST uint SHAPE_TORUS = 8u;    // around +y, radius a to the middle of a tube of radius b
 
 // An analytic shape in its own space.
 struct Shape {
@@ -115,9 +115,9 @@ struct Texture {
   uint space;
   Spectrum colorA;
   Spectrum colorB;
-  float turbulence;  // how far noise moves the pattern
-  uint octaves;      // of the noise
-  uint smoothEdges;  // 1: a soft transition between the colours, 0: a sharp one
+  float turbulence;   // how far noise moves the pattern
+  uint octaves;       // of the noise
+  uint smoothEdges;   // 1: a soft transition between the colours, 0: a sharp one
   Transform toSpace;  // places the pattern in its space; the kernel uses the inverse
 };
 
@@ -175,8 +175,9 @@ struct Light {
   vec3 edgeV;
   float radius;       // of a sphere, or of a point or spot light with soft shadows
   float area;         // m²; of rectangle, triangle, disk
-  float cosInner;     // spot: full intensity within; directional: cosine of the half angular size
+  float cosInner;     // spot: full intensity within
   float cosOuter;     // spot: nothing outside
+  float oneMinusCos;  // directional: of half its angular size
   float factor;       // of the linear falloff
   float range;        // metres; 0: unlimited
 };
@@ -201,7 +202,8 @@ struct Camera {
   vec3 right;  // unit vectors
   vec3 up;
   vec3 forward;
-  vec2 extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
+  vec2
+      extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
 };
 
 CONST uint FILTER_BOX = 0u;
@@ -213,9 +215,9 @@ CONST uint FILTER_BLACKMAN_HARRIS = 3u;
 struct RenderParams {
   Camera camera;
   Environment environment;
-  Spectrum ambient;       // sum of the ambient lights, W/(sr·m²)
+  Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
-  uint tintedShadows;     // 1: some object is marked MASK_TINT
+  uint tintedShadows;  // 1: some object is marked MASK_TINT
   uint filterKind;
   float filterRadius;     // pixels
   uint maxDepth;          // 1: only rays from the camera

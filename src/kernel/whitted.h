@@ -65,8 +65,6 @@ SCENE_FN uint LightSampleCount(IN(Light) light, Spectrum weight) {
   return uint(Max(wanted + 0.999f, 1.0f));
 }
 
-CONST uint CachedTerms = 8u;
-
 // The light that a surface sends towards wo by its shader terms. Normals `n` and `ns` are on wo's side.
 SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(Material) material,
                           IN(Shares) shares, vec3 wo, vec3 n, vec3 ns, IN(MediumStack) media) {
@@ -93,7 +91,8 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(M
     s.dimension += 1u;
     Spectrum sum = Spectrum(0.0f, 0.0f, 0.0f);
     for (uint i = 0u; i < sampleCount; ++i) {
-      LightLiSample li = SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
+      LightLiSample li =
+          SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
       if (IsBlack(li.irradiance) || Dot(n, li.wi) <= 0.0f) continue;
 
       // Add up the terms, then see whether the light arrives
@@ -127,7 +126,8 @@ SCENE_FN vec3 ReflectOutside(vec3 d, vec3 n, vec3 ns) {
 }
 
 // A refracted direction that stays on the inner side.
-SCENE_FN vec3 RefractInside(vec3 d, vec3 n, vec3 ns, float cosIncident, float cosRefracted, float eta) {
+SCENE_FN vec3 RefractInside(vec3 d, vec3 n, vec3 ns, float cosIncident, float cosRefracted,
+                            float eta) {
   vec3 r = Refract(d, ns, cosIncident, cosRefracted, eta);
   float above = Dot(r, n);
   if (above < -1e-3f) return Normalize(r);
@@ -168,7 +168,8 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   MediumStack mediaBehind = media;
   float eta = material.ior / MediumIor(inside);
   if (hasInside) {
-    mediaBehind = Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
+    mediaBehind =
+        Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
     uint behind = CurrentMedium(mediaBehind);
     if (behind == inside) {
       // A boundary within a body of higher priority is not there
@@ -193,8 +194,8 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
 
   // Add the light of the surface itself
   s.branch.weight = branch.weight;
-  s.L += branch.weight * (EvalColor(material.emission, it) +
-                          TermsLo(s, it, material, shares, wo, n, ns, media));
+  s.L += branch.weight *
+         (EvalColor(material.emission, it) + TermsLo(s, it, material, shares, wo, n, ns, media));
 
   // Follow the lesser branch, let the greater wait
   Spectrum reflectedWeight = branch.weight * shares.reflection;

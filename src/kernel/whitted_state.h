@@ -21,6 +21,9 @@ struct WhittedBranch {
 // every branch that waits: thirty-two places reach weights of 2⁻³² at any depth.
 CONST uint WhittedStackSize = 32u;
 
+// Shader terms of a material whose colours are evaluated once per hit; further ones once per light sample.
+CONST uint CachedTerms = 8u;
+
 struct WhittedState {
   WhittedBranch branch;
   uint alive;  // 1: `branch` is to be traced

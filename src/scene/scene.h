@@ -77,12 +77,14 @@ struct Material {
   ReflectionModel reflection = ReflectionModel::Constant;
   ColorInput transparency;
   float ior = 1.5f;
-  bool thin = false;  // a sheet: refracts nothing and has no inside
+  bool thin = false;                // a sheet: refracts nothing and has no inside
   Spectrum attenuationColor{1.0f};  // what is left of white light after attenuationDistance
   float attenuationDistance = std::numeric_limits<float>::infinity();  // metres
   int priority = 0;  // where insides overlap, the higher one fills the space
 
-  bool Refractive() const { return transparency.texture >= 0 || transparency.value != Spectrum(0.0f); }
+  bool Refractive() const {
+    return transparency.texture >= 0 || transparency.value != Spectrum(0.0f);
+  }
 };
 
 // --- Lights ---------------------------------------------------------------------------------------------
@@ -101,11 +103,11 @@ struct Light {
   float range = 0;          // metres, 0 = unlimited
   int samples = 4;          // shadow rays per camera sample, for lights with an extent
   bool visible = true;      // area lights: seen by the camera and in mirrors
-  vec3 position{0.0f};      // point, spot; centre of disk and sphere; corner of rectangle and triangle
+  vec3 position{0.0f};  // point, spot; centre of disk and sphere; corner of rectangle and triangle
   vec3 direction{0, -1, 0};  // that the light travels in; the normal of disk; unit length
-  vec3 edgeU{1, 0, 0};      // rectangle and triangle; their normal is U × V
+  vec3 edgeU{1, 0, 0};       // rectangle and triangle; their normal is U × V
   vec3 edgeV{0, 0, -1};
-  float radius = 0;  // disk, sphere; point and spot: makes their shadows soft
+  float radius = 0;      // disk, sphere; point and spot: makes their shadows soft
   float innerAngle = 0;  // spot: half angles from the axis, radians
   float outerAngle = 0;
   float angularSize = 0;  // directional: diameter as seen from the scene, radians

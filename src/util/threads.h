@@ -11,6 +11,9 @@ namespace snell {
 // Processors that this process may use.
 int HardwareThreads();
 
+// Threads that parallel work of this process runs on at present.
+int ActiveThreads();
+
 // Limits the parallel work of this process to `count` threads while it lives; 0 means all processors.
 class ThreadLimit {
  public:

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bvh/bounds.h"
+
+#include <cmath>
+
+namespace snell::bvh {
+
+using kernel::Abs;
+using kernel::Transform;
+
+Bounds TriangleBounds(const Geometry& geometry, std::uint32_t index) {
+  const kernel::Triangle& triangle = geometry.triangles[index];
+  Bounds bounds;
+  for (const std::uint32_t v : {triangle.v0, triangle.v1, triangle.v2}) {
+    const vec3 p = geometry.positions[v];
+    // A NaN would be passed over by min and max
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      return {vec3(-std::numeric_limits<float>::infinity()),
+              vec3(std::numeric_limits<float>::infinity())};
+    bounds.Extend(p);
+  }
+  return bounds;
+}
+
+// Widen by what transforming a point may lose.
+static Bounds Widened(Bounds bounds) {
+  const vec3 margin = (Abs(bounds.lower) + Abs(bounds.upper)) * kernel::Gamma(16.0f);
+  return {bounds.lower - margin, bounds.upper + margin};
+}
+
+Bounds TransformedBounds(const Transform& m, const Bounds& local) {
+  const vec3 center = local.Center();
+  const vec3 half = local.Size() * 0.5f;
+  const vec3 worldCenter = kernel::ToWorldPoint(m, center);
+  const vec3 worldHalf = Abs(m.x) * half.x + Abs(m.y) * half.y + Abs(m.z) * half.z;
+  const vec3 margin = kernel::ToWorldPointError(m, Abs(center) + half, vec3(0.0f), worldCenter);
+  return Widened({worldCenter - worldHalf - margin, worldCenter + worldHalf + margin});
+}
+
+// The box of the ellipse with the half-axes a and b around the origin.
+static vec3 EllipseHalf(vec3 a, vec3 b) {
+  return {std::hypot(a.x, b.x), std::hypot(a.y, b.y), std::hypot(a.z, b.z)};
+}
+
+Bounds ShapeBounds(const kernel::Shape& shape) {
+  const Transform& m = shape.toWorld;
+  const vec3 origin = m.origin;
+  switch (shape.kind) {
+    case kernel::SHAPE_SPHERE: return Widened({origin - shape.a, origin + shape.a});
+    case kernel::SHAPE_ELLIPSOID: {
+      const vec3 ring = EllipseHalf(m.x, m.y);
+      const vec3 half(std::hypot(ring.x, m.z.x), std::hypot(ring.y, m.z.y),
+                      std::hypot(ring.z, m.z.z));
+      return Widened({origin - half, origin + half});
+    }
+    case kernel::SHAPE_PLANE:
+      return {vec3(-std::numeric_limits<float>::infinity()),
+              vec3(std::numeric_limits<float>::infinity())};
+    case kernel::SHAPE_DISK: {
+      const vec3 half = EllipseHalf(m.x, m.z);
+      return Widened({origin - half, origin + half});
+    }
+    case kernel::SHAPE_RECTANGLE: return TransformedBounds(m, {vec3(0, 0, -1), vec3(1, 0, 0)});
+    case kernel::SHAPE_BOX: return TransformedBounds(m, {vec3(-1.0f), vec3(1.0f)});
+    case kernel::SHAPE_FRUSTUM:
+    case kernel::SHAPE_TUBE: {
+      // The convex hull of its two circles
+      const vec3 ring = EllipseHalf(m.x, m.z);
+      const vec3 top = origin + m.y * shape.c;
+      Bounds bounds{origin - ring * shape.a, origin + ring * shape.a};
+      bounds.Extend(Bounds{top - ring * shape.b, top + ring * shape.b});
+      return Widened(bounds);
+    }
+    case kernel::SHAPE_TORUS: {
+      const float outer = shape.a + shape.b;
+      return TransformedBounds(m, {vec3(-outer, -shape.b, -outer), vec3(outer, shape.b, outer)});
+    }
+  }
+  return {};
+}
+
+}  // namespace snell::bvh

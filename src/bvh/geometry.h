@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a BVH is built over: views of the kernel's records, owned by the caller, which must outlive the BVH.
+#pragma once
+
+#include <span>
+
+#include "kernel/types.h"
+
+namespace snell::bvh {
+
+struct Geometry {
+  std::span<const kernel::vec3> positions;
+  std::span<const kernel::Triangle> triangles;
+  std::span<const kernel::Mesh> meshes;
+  std::span<const kernel::Shape> shapes;
+  std::span<kernel::Instance> instances;  // place ranges of triangles; the build sets their `root`s
+  std::span<const kernel::Object> objects;
+  std::uint32_t worldTriangles = 0;  // the first so many triangles are in world space
+};
+
+}  // namespace snell::bvh

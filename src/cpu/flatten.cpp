@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cpu/flatten.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include "bvh/bounds.h"
+#include "cpu/flatten_geometry.h"
+#include "cpu/flatten_shading.h"
+
+namespace snell::cpu {
+
+using namespace kernel;
+
+bvh::Geometry FlatScene::Geometry() {
+  return {positions, triangles, meshes, shapes, instances, objects, worldTriangles};
+}
+
+std::uint64_t FlatScene::MemoryBytes() const {
+  const auto bytes = [](const auto& array) { return array.size() * sizeof(array[0]); };
+  return bytes(objects) + bytes(shapes) + bytes(instances) + bytes(meshes) + bytes(triangles) +
+         bytes(positions) + bytes(normals) + bytes(uvs) + bytes(materials) + bytes(terms) +
+         bytes(textures) + bytes(lights);
+}
+
+Transform ToTransform(const scene::Affine& m) {
+  const glm::dmat3 inverse = glm::inverse(glm::dmat3(m));
+  const auto column = [&](int i) { return vec3(glm::dvec3(m[i])); };
+  const auto row = [&](int i) {
+    return vec3(glm::dvec3(inverse[0][i], inverse[1][i], inverse[2][i]));
+  };
+  return {column(0), column(1), column(2), column(3), row(0), row(1), row(2)};
+}
+
+static Camera FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings) {
+  const glm::dvec3 position(camera.position);
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.lookAt) - position);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const double halfHeight = camera.kind == scene::CameraKind::Orthographic
+                                ? double(camera.height) / 2
+                                : std::tan(double(camera.fov) / 2);
+  const double aspect = double(settings.width) / settings.height;
+  Camera flat = {};
+  flat.kind = camera.kind == scene::CameraKind::Orthographic ? CAMERA_ORTHOGRAPHIC : CAMERA_PINHOLE;
+  flat.resolution = {uint(settings.width), uint(settings.height)};
+  flat.position = camera.position;
+  flat.right = vec3(right);
+  flat.up = vec3(up);
+  flat.forward = vec3(forward);
+  flat.extent = vec2(float(halfHeight * aspect), float(halfHeight));
+  return flat;
+}
+
+static Environment FlattenEnvironment(const scene::Environment& environment) {
+  return {environment.bottom, environment.top, std::sin(environment.bottomElevation),
+          std::sin(environment.topElevation), environment.ior};
+}
+
+static uint FlattenFilter(scene::PixelFilter filter) {
+  switch (filter) {
+    case scene::PixelFilter::Box: return FILTER_BOX;
+    case scene::PixelFilter::Tent: return FILTER_TENT;
+    case scene::PixelFilter::Gaussian: return FILTER_GAUSSIAN;
+    case scene::PixelFilter::BlackmanHarris: return FILTER_BLACKMAN_HARRIS;
+  }
+  return FILTER_BOX;
+}
+
+static float UsualFilterRadius(scene::PixelFilter filter) {
+  switch (filter) {
+    case scene::PixelFilter::Box: return 0.5f;
+    case scene::PixelFilter::Tent: return 1.0f;
+    case scene::PixelFilter::Gaussian:
+    case scene::PixelFilter::BlackmanHarris: return 1.5f;
+  }
+  return 0.5f;
+}
+
+// Whether a ray of the camera may start in the box.
+static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
+  bvh::Bounds starts;
+  starts.Extend(camera.position);
+  if (camera.kind == CAMERA_ORTHOGRAPHIC) {
+    const vec3 reach = Abs(camera.right) * camera.extent.x + Abs(camera.up) * camera.extent.y;
+    starts = {camera.position - reach * 1.1f, camera.position + reach * 1.1f};
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;
+  }
+  return true;
+}
+
+FlatScene Flatten(const scene::Scene& scene, int camera) {
+  FlatScene flat;
+  flat.params = {};
+  const scene::RenderSettings& settings = scene.settings;
+  flat.params.camera = FlattenCamera(scene.cameras.at(std::size_t(camera)), settings);
+  flat.params.environment = FlattenEnvironment(scene.environment);
+  flat.params.filterKind = FlattenFilter(settings.filter);
+  flat.params.filterRadius =
+      settings.filterRadius > 0 ? settings.filterRadius : UsualFilterRadius(settings.filter);
+  flat.params.maxDepth = uint(settings.maxDepth);
+  flat.params.minContribution = settings.minContribution;
+  flat.params.seed = settings.seed;
+
+  FlattenMaterials(scene, flat);
+  FlattenLights(scene, flat);
+  FlattenObjects(scene, flat);
+
+  // See what the objects ask of the integrator
+  for (const Object& object : flat.objects) {
+    if ((object.mask & MASK_TINT) != 0) flat.params.tintedShadows = 1;
+  }
+  for (const Shape& shape : flat.shapes) {
+    const bool hasInside = (flat.objects[shape.object].mask & MASK_INSIDE) != 0;
+    if (hasInside && MayStartIn(bvh::ShapeBounds(shape), flat.params.camera))
+      flat.params.camera.inside = 1;
+  }
+  const bvh::Geometry geometry = flat.Geometry();
+  std::vector<bvh::Bounds> worldMeshes(flat.meshes.size());
+  for (uint i = 0; i < flat.worldTriangles; ++i)
+    worldMeshes[flat.triangles[i].mesh].Extend(bvh::TriangleBounds(geometry, i));
+  for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
+    const uint object = flat.meshes[i].object;
+    const bool hasInside = object != None && (flat.objects[object].mask & MASK_INSIDE) != 0;
+    if (hasInside && MayStartIn(worldMeshes[i], flat.params.camera)) flat.params.camera.inside = 1;
+  }
+  for (const Instance& instance : flat.instances) {
+    if ((flat.objects[instance.object].mask & MASK_INSIDE) == 0) continue;
+    bvh::Bounds local;
+    for (uint i = 0; i < instance.triangleCount; ++i)
+      local.Extend(bvh::TriangleBounds(geometry, instance.firstTriangle + i));
+    if (MayStartIn(bvh::TransformedBounds(instance.toWorld, local), flat.params.camera))
+      flat.params.camera.inside = 1;
+  }
+  return flat;
+}
+
+}  // namespace snell::cpu

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the scene's records to the kernel's: shapes get their own spaces, meshes that are used once go to
+// world space and the others become instances, angles become cosines. The same arrays serve every device.
+#pragma once
+
+#include <vector>
+
+#include "bvh/geometry.h"
+#include "kernel/types.h"
+#include "scene/scene.h"
+
+namespace snell::cpu {
+
+// The buffers that the kernel reads (cpu/kernel.h, gpu/shaders/buffers.glsl).
+struct FlatScene {
+  kernel::RenderParams params;
+  std::vector<kernel::Object> objects;
+  std::vector<kernel::Shape> shapes;
+  std::vector<kernel::Instance> instances;
+  std::vector<kernel::Mesh> meshes;
+  std::vector<kernel::Triangle> triangles;
+  std::vector<kernel::vec3> positions;
+  std::vector<kernel::vec3> normals;
+  std::vector<kernel::vec2> uvs;
+  std::vector<kernel::Material> materials;
+  std::vector<kernel::Term> terms;
+  std::vector<kernel::Texture> textures;
+  std::vector<kernel::Light> lights;
+  std::uint32_t worldTriangles = 0;
+
+  // Views for the BVH; this scene must not move while they are used.
+  bvh::Geometry Geometry();
+  std::uint64_t MemoryBytes() const;
+};
+
+// Flatten a valid scene (scene/validate.h) as seen by its camera number `camera`.
+// Throws Error if it has more vertices or triangles than 32-bit indices reach.
+FlatScene Flatten(const scene::Scene& scene, int camera);
+
+// The map and its inverse; `m` must be invertible.
+kernel::Transform ToTransform(const scene::Affine& m);
+
+}  // namespace snell::cpu

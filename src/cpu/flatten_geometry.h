@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The geometric half of flattening: objects, shapes, meshes and instances.
+#pragma once
+
+#include "cpu/flatten.h"
+
+namespace snell::cpu {
+
+// Append the scene's objects with their shapes, meshes and instances. Triangles in world space must come
+// first: those of lights are there already.
+void FlattenObjects(const scene::Scene& scene, FlatScene& flat);
+
+// Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
+// Returns the index of its first triangle.
+kernel::uint AppendMesh(const scene::Mesh& mesh, const scene::Affine* toWorld, kernel::uint object,
+                        FlatScene& flat);
+
+// The kernel's form of an analytic shape; `geometry` must not be a mesh.
+kernel::Shape FlattenShape(const scene::Geometry& geometry, const scene::Affine& toWorld,
+                           kernel::uint object);
+
+}  // namespace snell::cpu

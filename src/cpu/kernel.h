@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The kernel bound to the CPU: the scene's buffers under the names that the kernel reads (in GLSL:
+// src/gpu/shaders/buffers.glsl), the two searches that a device provides, and the parts of the kernel that
+// read buffers, which become members.
+#pragma once
+
+#include "bvh/bvh.h"
+#include "kernel/values.h"
+
+namespace snell::cpu {
+
+using namespace kernel;
+
+// Views only: cheap to copy, one per thread or shared.
+struct Kernel {
+  const RenderParams& params;
+  const Object* objects;
+  const Shape* shapes;
+  const Instance* instances;
+  const Mesh* meshes;
+  const Triangle* triangles;
+  const vec3* positions;
+  const vec3* normals;
+  const vec2* uvs;
+  const Material* materials;
+  const Term* terms;
+  const Texture* textures;
+  const Light* lights;
+  const bvh::Bvh& bvh;
+
+  Hit ClosestHit(const Ray& ray, float tMax, uint mask) { return bvh.Closest(ray, tMax, mask); }
+  bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
+
+#include "kernel/scene_medium.h"
+#include "kernel/scene_shadow.h"
+#include "kernel/scene_surface.h"
+#include "kernel/scene_texture.h"
+#include "kernel/whitted.h"
+};
+
+}  // namespace snell::cpu

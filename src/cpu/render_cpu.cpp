@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cpu/render_cpu.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "cpu/flatten.h"
+#include "cpu/kernel.h"
+#include "render/tiles.h"
+#include "util/check.h"
+#include "util/threads.h"
+#include "util/timer.h"
+
+namespace snell::cpu {
+
+namespace {
+
+constexpr int TileSize = 16;
+constexpr std::size_t NonFiniteKept = 8;
+
+// What one worker counts; padded so that workers do not share cache lines.
+struct alignas(64) WorkerCounts {
+  render::RayTotals rays;
+  std::uint64_t samples = 0;
+  std::uint64_t nonFiniteSamples = 0;
+  std::vector<render::NonFiniteSample> nonFinite;
+  std::uint64_t droppedBranches = 0;
+};
+
+// The sample being computed, for the message of a failed check.
+struct Replay {
+  const scene::Scene* scene;
+  int x;
+  int y;
+  std::uint32_t sample;
+
+  static void Describe(const void* data, char* text, int size) {
+    const Replay& r = *static_cast<const Replay*>(data);
+    const auto end = fmt::format_to_n(
+        text, std::size_t(size - 1),
+        "while rendering pixel {},{} sample {}; to replay it: snell render {} "
+        "--crop {},{},{},{} --samples {}:{}",
+        r.x, r.y, r.sample, r.scene->name, r.x, r.y, r.x + 1, r.y + 1, r.sample, r.sample + 1);
+    *end.out = '\0';
+  }
+};
+
+bool IsFinite(Spectrum L) { return std::isfinite(L.x) && std::isfinite(L.y) && std::isfinite(L.z); }
+
+Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
+  return {flat.params,           flat.objects.data(),
+          flat.shapes.data(),    flat.instances.data(),
+          flat.meshes.data(),    flat.triangles.data(),
+          flat.positions.data(), flat.normals.data(),
+          flat.uvs.data(),       flat.materials.data(),
+          flat.terms.data(),     flat.textures.data(),
+          flat.lights.data(),    bvh};
+}
+
+void RenderTile(Kernel kernel, render::PixelRect tile, render::SampleRange samples, Replay& replay,
+                render::Film& film, WorkerCounts& counts) {
+  WhittedState state;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      for (std::uint32_t sample = samples.first; sample < samples.last; ++sample) {
+        replay.x = x;
+        replay.y = y;
+        replay.sample = sample;
+
+        // Follow the ray tree to its end
+        kernel.WhittedBegin(state, uvec2(uint(x), uint(y)), sample);
+        while (state.alive == 1) kernel.WhittedStep(state);
+
+        // Count and locate what went wrong, never hide it
+        Spectrum L = state.L;
+        if (!IsFinite(L)) {
+          ++counts.nonFiniteSamples;
+          if (counts.nonFinite.size() < NonFiniteKept) counts.nonFinite.push_back({x, y, sample});
+          L = Spectrum(0.0f);
+        }
+        film.Add(x, y, L);
+        counts.rays.Add(state.rays);
+        counts.droppedBranches += state.dropped;
+        ++counts.samples;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+render::Statistics CpuRenderer::Render(const scene::Scene& scene,
+                                       const render::RenderRequest& request, render::Film& film,
+                                       Progress* progress, const StopFlag* stop) {
+  render::Statistics statistics;
+  statistics.device = fmt::format("CPU, {}", bvh::NameOf(bvh::BestInstructionSet()));
+  statistics.threads = ActiveThreads();
+
+  // Prepare the scene
+  if (progress) progress->Begin("building", 0);
+  Timer timer;
+  FlatScene flat = Flatten(scene, request.camera);
+  statistics.flattenSeconds = timer.Seconds();
+  timer = {};
+  const bvh::Bvh bvh(flat.Geometry());
+  statistics.buildSeconds = timer.Seconds();
+  statistics.droppedPrimitives = bvh.droppedPrimitives();
+  statistics.sceneBytes = flat.MemoryBytes();
+  statistics.bvhBytes = bvh.MemoryBytes();
+  statistics.filmBytes = film.MemoryBytes();
+  if (progress) progress->End();
+
+  // Render pass by pass, tile by tile
+  timer = {};
+  const Kernel kernel = BindKernel(flat, bvh);
+  const std::vector<render::PixelRect> tiles = render::TilesInOrder(request.rect, TileSize);
+  const std::uint64_t pixels =
+      std::uint64_t(request.rect.Width()) * std::uint64_t(request.rect.Height());
+  if (progress) progress->Begin("rendering", pixels * (request.lastSample - request.firstSample));
+  const std::size_t workerCount = std::size_t(HardwareThreads());
+  std::vector<WorkerCounts> workers(workerCount);
+  std::atomic<std::uint64_t> samplesDone{0};
+  std::atomic<std::uint64_t> raysDone{0};
+  for (const render::SampleRange& pass : render::Passes(request.firstSample, request.lastSample)) {
+    ParallelInOrder(tiles.size(), [&](std::uint64_t i, int worker) {
+      if (stop && stop->raised()) return;
+      WorkerCounts& counts = workers[std::size_t(worker)];
+      const std::uint64_t samplesBefore = counts.samples;
+      const std::uint64_t raysBefore = counts.rays.Sum();
+      Replay replay{&scene, 0, 0, 0};
+      const CheckContext context(Replay::Describe, &replay);
+      RenderTile(kernel, tiles[i], pass, replay, film, counts);
+      const std::uint64_t samples = samplesDone += counts.samples - samplesBefore;
+      const std::uint64_t rays = raysDone += counts.rays.Sum() - raysBefore;
+      if (progress) progress->Update(samples, rays);
+    });
+    if (stop && stop->raised()) break;
+  }
+  if (progress) progress->End();
+
+  // Add up what the workers counted
+  for (const WorkerCounts& counts : workers) {
+    statistics.rays.Add(counts.rays);
+    statistics.samples += counts.samples;
+    statistics.nonFiniteSamples += counts.nonFiniteSamples;
+    statistics.droppedBranches += counts.droppedBranches;
+    for (const render::NonFiniteSample& sample : counts.nonFinite) {
+      if (statistics.nonFinite.size() < NonFiniteKept) statistics.nonFinite.push_back(sample);
+    }
+  }
+  statistics.renderSeconds = timer.Seconds();
+  return statistics;
+}
+
+}  // namespace snell::cpu

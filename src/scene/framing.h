@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a file leaves open: a camera that shows everything, and a small studio for a bare mesh.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace snell::scene {
+
+// If the scene has no camera, add one that shows all objects from the front, a little from the right and
+// from above, filling the picture for the settings' aspect ratio.
+void AddDefaultCamera(Scene& scene);
+
+// Set a scene that has only objects into a studio: an endless neutral ground under the lowest point, a key
+// light, a fill light and a rim light, all soft.
+void AddStudio(Scene& scene);
+
+// The grey, slightly glossy material of things that bring none.
+Material DefaultMaterial();
+
+}  // namespace snell::scene

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/validate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace snell::scene {
+
+namespace {
+
+bool Finite(float x) { return std::isfinite(x); }
+bool Finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool NonZero(vec3 v) { return Finite(v) && glm::dot(glm::dvec3(v), glm::dvec3(v)) > 0; }
+bool Positive(float x) { return std::isfinite(x) && x > 0; }
+bool NonNegative(Spectrum s) { return Finite(s) && s.x >= 0 && s.y >= 0 && s.z >= 0; }
+bool Reflectance(Spectrum s) { return NonNegative(s) && s.x <= 1 && s.y <= 1 && s.z <= 1; }
+
+// Columns that are finite and span space.
+bool Invertible(const Affine& m) {
+  double size = 1;
+  for (int column = 0; column < 3; ++column) size *= glm::length(glm::dvec3(m[column]));
+  const double determinant = glm::determinant(glm::dmat3(m));
+  return std::isfinite(determinant) && size > 0 && std::abs(determinant) > 1e-12 * size;
+}
+
+class Checker {
+ public:
+  explicit Checker(const Scene& scene) : scene_(scene) {}
+
+  void CheckAll() {
+    CheckSettings();
+    Require(!scene_.cameras.empty(), "the scene has no camera");
+    for (const Camera& camera : scene_.cameras) CheckCamera(camera);
+    Require(NonNegative(scene_.environment.bottom) && NonNegative(scene_.environment.top),
+            "the environment's colours must be finite and not negative");
+    Require(scene_.environment.bottomElevation < scene_.environment.topElevation,
+            "the environment's gradient needs its bottom below its top");
+    Require(Positive(scene_.environment.ior),
+            "the surroundings' index of refraction must be positive");
+    for (const Light& light : scene_.lights) CheckLight(light);
+    for (const Texture& texture : scene_.textures) {
+      Require(Invertible(texture.placement),
+              fmt::format("texture '{}' has a singular placement", texture.name));
+    }
+    for (const Material& material : scene_.materials) CheckMaterial(material);
+    for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
+    for (const Object& object : scene_.objects) CheckObject(object);
+    if (!findings_.empty()) throw Error(std::move(findings_));
+  }
+
+ private:
+  void Require(bool condition, std::string message, const Place& place = {}) {
+    if (condition) return;
+    Place where = place;
+    if (where.file.empty()) where.file = scene_.name;
+    findings_.push_back({std::move(message), where});
+  }
+
+  void CheckSettings() {
+    const RenderSettings& s = scene_.settings;
+    Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
+            fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
+    Require(s.spp > 0, "the samples per pixel must be at least 1");
+    Require(s.maxDepth > 0, "the maximum depth must be at least 1");
+    Require(Finite(s.minContribution) && s.minContribution >= 0,
+            "the minimum contribution must not be negative");
+    Require(Finite(s.filterRadius) && s.filterRadius >= 0,
+            "the filter's radius must not be negative");
+    Require(Finite(s.exposure), "the exposure must be finite");
+  }
+
+  void CheckCamera(const Camera& camera) {
+    const auto bad = [&](const char* what) {
+      return fmt::format("camera '{}' {}", camera.name, what);
+    };
+    const vec3 forward = camera.lookAt - camera.position;
+    Require(NonZero(forward), bad("looks at its own position"));
+    const glm::dvec3 side = glm::cross(glm::dvec3(forward), glm::dvec3(camera.up));
+    Require(glm::length(side) >
+                1e-9 * glm::length(glm::dvec3(forward)) * glm::length(glm::dvec3(camera.up)),
+            bad("looks along its up vector"));
+    if (camera.kind == CameraKind::Pinhole) {
+      Require(Positive(camera.fov) && camera.fov < 3.1415f,
+              bad("needs a field of view between 0 and 180 degrees"));
+    } else {
+      Require(Positive(camera.height), bad("needs a positive height"));
+    }
+  }
+
+  void CheckLight(const Light& light) {
+    const auto bad = [&](const char* what) {
+      return fmt::format("light '{}' {}", light.name, what);
+    };
+    Require(NonNegative(light.color) && Finite(light.strength) && light.strength >= 0,
+            bad("needs a finite strength that is not negative"));
+    Require(Finite(light.position) && NonZero(light.direction),
+            bad("needs a position and a direction"));
+    Require(Finite(light.radius) && light.radius >= 0 && Finite(light.range) && light.range >= 0,
+            bad("has a negative radius or range"));
+    if (light.falloff == Falloff::Linear)
+      Require(Positive(light.falloffFactor), bad("needs a positive falloff factor"));
+    if (light.kind == LightKind::Spot) {
+      Require(light.innerAngle >= 0 && light.innerAngle <= light.outerAngle &&
+                  light.outerAngle < 3.1416f,
+              bad("needs 0 ≤ inner angle ≤ outer angle ≤ 180 degrees"));
+    }
+    if (light.kind == LightKind::Disk || light.kind == LightKind::Sphere) {
+      Require(Positive(light.radius), bad("needs a positive radius"));
+    }
+    if (light.kind == LightKind::Rectangle || light.kind == LightKind::Triangle) {
+      Require(NonZero(glm::cross(light.edgeU, light.edgeV)), bad("has no area"));
+    }
+  }
+
+  void CheckColor(const ColorInput& input, bool reflectance, const std::string& what) {
+    Require(input.texture >= -1 && input.texture < int(scene_.textures.size()),
+            fmt::format("{} refers to a texture that does not exist", what));
+    if (reflectance) {
+      Require(Reflectance(input.value), fmt::format("{} must lie between 0 and 1", what));
+    } else {
+      Require(NonNegative(input.value), fmt::format("{} must be finite and not negative", what));
+    }
+  }
+
+  void CheckMaterial(const Material& material) {
+    const auto of = [&](const char* what) {
+      return fmt::format("material '{}': {}", material.name, what);
+    };
+    CheckColor(material.emission, false, of("the emission"));
+    CheckColor(material.reflectivity, true, of("the reflectivity"));
+    CheckColor(material.transparency, true, of("the transparency"));
+    for (const Term& term : material.terms) {
+      CheckColor(term.color, true, of("the colour of a term"));
+      Require(Finite(term.exponent) && term.exponent >= 0, of("an exponent must not be negative"));
+    }
+    Require(Positive(material.ior), of("the index of refraction must be positive"));
+    Require(Reflectance(material.attenuationColor),
+            of("the attenuation colour must lie between 0 and 1"));
+    Require(material.attenuationDistance > 0, of("the attenuation distance must be positive"));
+  }
+
+  void CheckMesh(const Mesh& mesh) {
+    const auto bad = [&](const char* what) { return fmt::format("mesh '{}' {}", mesh.name, what); };
+    Require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
+            bad("has too few normals"));
+    Require(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size(),
+            bad("has too few texture coordinates"));
+    for (const uvec3& t : mesh.triangles) {
+      if (t.x < mesh.positions.size() && t.y < mesh.positions.size() && t.z < mesh.positions.size())
+        continue;
+      Require(false, bad("has a triangle whose vertex does not exist"));
+      return;
+    }
+  }
+
+  void CheckObject(const Object& object) {
+    const auto bad = [&](const char* what) {
+      return fmt::format("object '{}' {}", object.name, what);
+    };
+    Require(object.material >= 0 && object.material < int(scene_.materials.size()),
+            bad("has no material"), object.place);
+    Require(Invertible(object.toWorld), bad("has a singular transform"), object.place);
+    std::visit(
+        [&](const auto& geometry) { Require(Sound(geometry), bad("has no extent"), object.place); },
+        object.geometry);
+  }
+
+  bool Sound(const Sphere& s) const { return Finite(s.center) && Positive(s.radius); }
+  bool Sound(const Plane& s) const { return Finite(s.point) && NonZero(s.normal); }
+  bool Sound(const Disk& s) const {
+    return Finite(s.center) && NonZero(s.normal) && Positive(s.radius) && s.innerRadius >= 0 &&
+           s.innerRadius < s.radius;
+  }
+  bool Sound(const Rectangle& s) const {
+    return Finite(s.corner) && NonZero(glm::cross(s.edgeU, s.edgeV));
+  }
+  bool Sound(const Box& s) const {
+    return Finite(s.lower) && Finite(s.upper) && s.lower.x < s.upper.x && s.lower.y < s.upper.y &&
+           s.lower.z < s.upper.z;
+  }
+  bool Sound(const Cone& s) const {
+    return Finite(s.base) && NonZero(s.top - s.base) && s.radius >= 0 && s.topRadius >= 0 &&
+           Positive(s.radius + s.topRadius);
+  }
+  bool Sound(const Torus& s) const {
+    return Finite(s.center) && NonZero(s.axis) && Positive(s.majorRadius) &&
+           Positive(s.minorRadius) && s.minorRadius <= s.majorRadius;
+  }
+  bool Sound(const MeshGeometry& g) const {
+    return g.mesh >= 0 && g.mesh < int(scene_.meshes.size());
+  }
+
+  const Scene& scene_;
+  std::vector<Diagnostic> findings_;
+};
+
+// Whether any light, emission or background can reach the camera.
+bool HasLight(const Scene& scene) {
+  if (!scene.lights.empty()) return true;
+  if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
+    return true;
+  for (const Object& object : scene.objects) {
+    if (scene.materials[std::size_t(object.material)].emission.value != Spectrum(0.0f)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Validate(const Scene& scene, const WarningSink& warn) {
+  Checker(scene).CheckAll();
+  if (!warn) return;
+  if (scene.objects.empty()) {
+    warn({"the scene has no objects", {scene.name}});
+  } else if (!HasLight(scene)) {
+    warn({"nothing in the scene shines, so the picture will be black",
+          {scene.name},
+          "add a [[light]]"});
+  }
+}
+
+}  // namespace snell::scene
