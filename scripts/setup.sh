@@ -67,7 +67,7 @@ install_packages() {
   # Ask whoever sits at the terminal.
   if ((terminal)) && [[ -z $yes && -z ${CI:-} ]]; then
     printf 'snell: install them now? [Y/n] ' >/dev/tty
-    read -r answer </dev/tty || answer=n
+    read -r answer </dev/tty || { echo && answer=n; }
     [[ $answer =~ ^([Yy].*)?$ ]] || fail "nothing was installed; by hand it is:" "  $by_hand"
   fi
 
@@ -75,17 +75,13 @@ install_packages() {
     "(Debian 12, Ubuntu 24.04 and newer have all of them, Ubuntu in its universe)"
 }
 
+# Without apt, what is missing shows when CMake looks for it.
 provide_packages() {
-  local packages=("${program_packages[@]}") missing tool
+  local packages=("${program_packages[@]}") missing
+  if ((!has_apt)); then return; fi
   if ((tests)); then packages+=("${test_packages[@]}"); fi
-  if ((has_apt)); then
-    mapfile -t missing < <(missing_packages "${packages[@]}")
-    ((${#missing[@]} == 0)) || install_packages "${missing[@]}" 9>&-
-  else
-    for tool in cmake ninja c++ glslc spirv-val; do
-      command -v $tool >/dev/null || { suggest_packages && break; }
-    done
-  fi
+  mapfile -t missing < <(missing_packages "${packages[@]}")
+  ((${#missing[@]} == 0)) || install_packages "${missing[@]}" 9>&-
 }
 
 configure() {
