@@ -93,11 +93,11 @@ static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
   return true;
 }
 
-FlatScene Flatten(const scene::Scene& scene, int camera) {
+FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
+                  const scene::Camera& camera) {
   FlatScene flat;
   flat.params = {};
-  const scene::RenderSettings& settings = scene.settings;
-  flat.params.camera = FlattenCamera(scene.cameras.at(std::size_t(camera)), settings);
+  flat.params.camera = FlattenCamera(camera, settings);
   flat.params.environment = FlattenEnvironment(scene.environment);
   flat.params.filterKind = FlattenFilter(settings.filter);
   flat.params.filterRadius =
@@ -108,7 +108,7 @@ FlatScene Flatten(const scene::Scene& scene, int camera) {
 
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
-  FlattenObjects(scene, flat);
+  FlattenObjects(scene, settings.tintedShadows, flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

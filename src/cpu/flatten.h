@@ -34,9 +34,10 @@ struct FlatScene {
   std::uint64_t MemoryBytes() const;
 };
 
-// Flatten a valid scene (scene/validate.h) as seen by its camera number `camera`.
-// Throws Error if it has more vertices or triangles than 32-bit indices reach.
-FlatScene Flatten(const scene::Scene& scene, int camera);
+// Flatten a valid scene (scene/validate.h). Throws Error if it has more vertices or triangles than 32-bit
+// indices reach.
+FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
+                  const scene::Camera& camera);
 
 // The map and its inverse; `m` must be invertible.
 kernel::Transform ToTransform(const scene::Affine& m);

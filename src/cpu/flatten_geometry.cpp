@@ -168,14 +168,13 @@ Shape FlattenShape(const scene::Geometry& geometry, const Affine& toWorld, uint 
   return flattener.shape;
 }
 
-void FlattenObjects(const scene::Scene& scene, FlatScene& flat) {
+void FlattenObjects(const scene::Scene& scene, bool tintedShadows, FlatScene& flat) {
   const uint firstObject = uint(flat.objects.size());
   // Make the records of the objects and count how often each mesh is used
   std::vector<uint> uses(scene.meshes.size(), 0);
   for (const scene::Object& object : scene.objects) {
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
-    flat.objects.push_back({uint(object.material),
-                            MaskOf(object, material, scene.settings.tintedShadows), None,
+    flat.objects.push_back({uint(object.material), MaskOf(object, material, tintedShadows), None,
                             ToTransform(object.toWorld)});
     if (const auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry))
       ++uses[std::size_t(mesh->mesh)];

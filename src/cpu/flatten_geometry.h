@@ -9,7 +9,7 @@ namespace snell::cpu {
 
 // Append the scene's objects with their shapes, meshes and instances. Triangles in world space must come
 // first: those of lights are there already.
-void FlattenObjects(const scene::Scene& scene, FlatScene& flat);
+void FlattenObjects(const scene::Scene& scene, bool tintedShadows, FlatScene& flat);
 
 // Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
 // Returns the index of its first triangle.

@@ -101,7 +101,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   // Prepare the scene
   if (progress) progress->Begin("building", 0);
   Timer timer;
-  FlatScene flat = Flatten(scene, request.camera);
+  FlatScene flat = Flatten(scene, request.settings, request.camera);
   statistics.flattenSeconds = timer.Seconds();
   timer = {};
   const bvh::Bvh bvh(flat.Geometry());

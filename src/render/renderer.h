@@ -12,9 +12,10 @@
 
 namespace snell::render {
 
-// What of a picture to render. The scene's own settings hold the rest.
+// What to render of a scene, and how; what the scene itself says about that is only a default.
 struct RenderRequest {
-  int camera = 0;  // index into the scene's cameras
+  scene::RenderSettings settings;  // valid (scene/validate.h)
+  scene::Camera camera;
   PixelRect rect;  // pixels to render; within the picture
   std::uint32_t firstSample = 0;
   std::uint32_t lastSample = 0;  // one past the last

@@ -37,8 +37,7 @@ Light StudioLight(const char* name, double azimuth, double elevation, float irra
 
 }  // namespace
 
-void AddDefaultCamera(Scene& scene) {
-  if (!scene.cameras.empty()) return;
+Camera DefaultCamera(const Scene& scene, double aspect) {
   Box3 box = BoundsOf(scene);
   if (box.Empty()) {
     // Only infinite planes, or nothing: look at the origin
@@ -51,7 +50,7 @@ void AddDefaultCamera(Scene& scene) {
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), toViewer));
   const glm::dvec3 up = glm::cross(toViewer, right);
   const double tanY = std::tan(FramingFov / 2);
-  const double tanX = tanY * scene.settings.width / scene.settings.height;
+  const double tanX = tanY * aspect;
   const glm::dvec3 center = box.Center();
   const glm::dvec3 half = box.Size() * 0.5;
   double distance = 0;
@@ -69,7 +68,7 @@ void AddDefaultCamera(Scene& scene) {
   camera.position = vec3(center + toViewer * distance);
   camera.lookAt = vec3(center);
   camera.fov = float(FramingFov);
-  scene.cameras.push_back(camera);
+  return camera;
 }
 
 Material DefaultMaterial() {

@@ -7,9 +7,9 @@
 
 namespace snell::scene {
 
-// If the scene has no camera, add one that shows all objects from the front, a little from the right and
-// from above, filling the picture for the settings' aspect ratio.
-void AddDefaultCamera(Scene& scene);
+// A camera that shows all objects from the front, a little from the right and from above, and fills a
+// picture of this width divided by height.
+Camera DefaultCamera(const Scene& scene, double aspect);
 
 // Set a scene that has only objects into a studio: an endless neutral ground under the lowest point, a key
 // light, a fill light and a rim light, all soft.

@@ -31,8 +31,7 @@ class Checker {
   explicit Checker(const Scene& scene) : scene_(scene) {}
 
   void CheckAll() {
-    CheckSettings();
-    Require(!scene_.cameras.empty(), "the scene has no camera");
+    CheckSettings(scene_.settings);
     for (const Camera& camera : scene_.cameras) CheckCamera(camera);
     Require(NonNegative(scene_.environment.bottom) && NonNegative(scene_.environment.top),
             "the environment's colours must be finite and not negative");
@@ -48,19 +47,10 @@ class Checker {
     for (const Material& material : scene_.materials) CheckMaterial(material);
     for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
     for (const Object& object : scene_.objects) CheckObject(object);
-    if (!findings_.empty()) throw Error(std::move(findings_));
+    ThrowFindings();
   }
 
- private:
-  void Require(bool condition, std::string message, const Place& place = {}) {
-    if (condition) return;
-    Place where = place;
-    if (where.file.empty()) where.file = scene_.name;
-    findings_.push_back({std::move(message), where});
-  }
-
-  void CheckSettings() {
-    const RenderSettings& s = scene_.settings;
+  void CheckSettings(const RenderSettings& s) {
     Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
     Require(s.spp > 0, "the samples per pixel must be at least 1");
@@ -70,6 +60,18 @@ class Checker {
     Require(Finite(s.filterRadius) && s.filterRadius >= 0,
             "the filter's radius must not be negative");
     Require(Finite(s.exposure), "the exposure must be finite");
+  }
+
+  void ThrowFindings() {
+    if (!findings_.empty()) throw Error(std::move(findings_));
+  }
+
+ private:
+  void Require(bool condition, std::string message, const Place& place = {}) {
+    if (condition) return;
+    Place where = place;
+    if (where.file.empty()) where.file = scene_.name;
+    findings_.push_back({std::move(message), where});
   }
 
   void CheckCamera(const Camera& camera) {
@@ -209,6 +211,13 @@ bool HasLight(const Scene& scene) {
 }
 
 }  // namespace
+
+void Validate(const RenderSettings& settings) {
+  const Scene none;
+  Checker checker(none);
+  checker.CheckSettings(settings);
+  checker.ThrowFindings();
+}
 
 void Validate(const Scene& scene, const WarningSink& warn) {
   Checker(scene).CheckAll();

@@ -9,8 +9,10 @@
 namespace snell::scene {
 
 // Throws Error with all findings: indices out of range, numbers that are not finite or make no sense,
-// singular transforms, a camera that looks nowhere. Warns of scenes that can only be black. The scene must
-// have a camera (framing.h).
+// singular transforms, a camera that looks nowhere. Warns of scenes that can only be black.
 void Validate(const Scene& scene, const WarningSink& warn);
+
+// The same for settings alone, which the command line may have changed.
+void Validate(const RenderSettings& settings);
 
 }  // namespace snell::scene

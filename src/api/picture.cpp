@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/picture.h"
+
+#include "image/compare.h"
+#include "image/read.h"
+#include "image/write.h"
+#include "util/check.h"
+
+namespace snell {
+
+static image::Image ToImage(const Picture& picture) {
+  image::Image image(picture.width, picture.height);
+  CHECK(picture.rgb.size() == image.pixels.size() * 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]};
+  return image;
+}
+
+static Picture ToPicture(const image::Image& image) {
+  Picture picture;
+  picture.width = image.width;
+  picture.height = image.height;
+  picture.rgb.reserve(image.pixels.size() * 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const image::vec3 pixel = image.Premultiplied(i);
+    picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  }
+  return picture;
+}
+
+static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
+  image::WriteOptions write;
+  write.bits = options.bits;
+  write.exrFloat = options.exrFloat;
+  write.exposure = options.exposure;
+  write.jpegQuality = options.jpegQuality;
+  write.metadata = options.metadata;
+  return write;
+}
+
+void WritePicture(const std::filesystem::path& path, const Picture& picture,
+                  const PictureOptions& options) {
+  image::WriteImage(path, ToImage(picture), ToWriteOptions(options));
+}
+
+void CheckPictureWritable(const std::filesystem::path& path, const PictureOptions& options) {
+  image::CheckWritable(path, ToWriteOptions(options));
+}
+
+std::string KnownPictureExtensions() { return image::KnownWriteExtensions(); }
+
+Picture ReadPicture(const std::filesystem::path& path) { return ToPicture(image::ReadImage(path)); }
+
+PictureDifference ComparePictures(const Picture& reference, const Picture& test) {
+  const image::Comparison c = image::Compare(ToImage(reference), ToImage(test));
+  return {c.rmse, c.relMse, c.psnr, c.maxAbs, c.meanFlip};
+}
+
+Picture DifferencePicture(const Picture& reference, const Picture& test) {
+  return ToPicture(image::DifferenceImage(ToImage(reference), ToImage(test)));
+}
+
+}  // namespace snell

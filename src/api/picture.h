@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Snell's public interface: pictures. Installed as <snell/api/picture.h>.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../util/error.h"
+
+namespace snell {
+
+// Linear Rec.709 radiance, three floats a pixel, rows from top to bottom.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;
+};
+
+// How to write a picture; the extension names the format.
+struct PictureOptions {
+  int bits = 8;           // PNG: 8 or 16
+  bool exrFloat = false;  // EXR: 32-bit float instead of half
+  float exposure = 0;     // stops, for PNG and JPEG; EXR and HDR stay linear
+  int jpegQuality = 95;
+  std::vector<std::pair<std::string, std::string>> metadata;
+};
+
+// Write atomically: the file appears when it is complete. Throws Error.
+SNELL_EXPORT void WritePicture(const std::filesystem::path& path, const Picture& picture,
+                               const PictureOptions& options = {});
+// Throws the Error that WritePicture would throw, as far as it can be known before.
+SNELL_EXPORT void CheckPictureWritable(const std::filesystem::path& path,
+                                       const PictureOptions& options = {});
+// "png, jpg, jpeg, hdr, exr", for messages.
+SNELL_EXPORT std::string KnownPictureExtensions();
+
+// Read PNG, JPEG, EXR or HDR, by content. Throws Error.
+SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);
+
+// How far a picture is from a reference of the same size. All in linear radiance but FLIP, which is of the
+// pictures as displayed (Andersson et al. 2020).
+struct PictureDifference {
+  double rmse = 0;
+  double relMse = 0;  // mean of (a − b)² / (a² + 0.01)
+  double psnr = 0;    // dB for a peak of 1; infinite for equal pictures
+  double maxAbs = 0;
+  double meanFlip = 0;  // 0 equal … 1
+};
+
+// Throws Error if the sizes differ.
+SNELL_EXPORT PictureDifference ComparePictures(const Picture& reference, const Picture& test);
+// The FLIP error of each pixel in false colours.
+SNELL_EXPORT Picture DifferencePicture(const Picture& reference, const Picture& test);
+
+}  // namespace snell

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/render.h"
+
+#include <fmt/format.h>
+
+#include "cpu/render_cpu.h"
+#include "scene/framing.h"
+#include "scene/validate.h"
+#include "util/text.h"
+#include "util/threads.h"
+
+namespace snell {
+
+namespace {
+
+scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions& options) {
+  scene::RenderSettings settings = scene.settings;
+  // One of width and height given alone keeps the aspect ratio
+  if (options.width && !options.height) {
+    settings.height =
+        std::max(1, int(double(settings.height) * *options.width / settings.width + 0.5));
+  } else if (options.height && !options.width) {
+    settings.width =
+        std::max(1, int(double(settings.width) * *options.height / settings.height + 0.5));
+  }
+  settings.width = options.width.value_or(settings.width);
+  settings.height = options.height.value_or(settings.height);
+  settings.spp = options.spp.value_or(settings.spp);
+  settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
+  settings.minContribution = options.minContribution.value_or(settings.minContribution);
+  if (options.integrator && *options.integrator != "whitted")
+    throw Error(fmt::format("there is no integrator '{}'", *options.integrator), {},
+                "the integrators are: whitted");
+  scene::Validate(settings);
+  return settings;
+}
+
+scene::Camera CameraOf(const scene::Scene& scene, const RenderOptions& options, double aspect) {
+  if (options.camera) {
+    std::vector<std::string> names;
+    for (const scene::Camera& camera : scene.cameras) {
+      if (camera.name == *options.camera) return camera;
+      if (!camera.name.empty()) names.push_back(camera.name);
+    }
+    std::string hint = DidYouMean(*options.camera, names);
+    if (hint.empty())
+      hint = names.empty() ? "its cameras have no names"
+                           : fmt::format("its cameras are: {}", fmt::join(names, ", "));
+    throw Error(fmt::format("the scene has no camera '{}'", *options.camera), {scene.name}, hint);
+  }
+  return scene.cameras.empty() ? scene::DefaultCamera(scene, aspect) : scene.cameras.front();
+}
+
+render::PixelRect RectOf(const scene::RenderSettings& settings, const RenderOptions& options) {
+  if (!options.crop) return {0, 0, settings.width, settings.height};
+  const auto [x0, y0, x1, y1] = *options.crop;
+  const render::PixelRect rect{x0, y0, x1, y1};
+  if (rect.Empty() || x0 < 0 || y0 < 0 || x1 > settings.width || y1 > settings.height)
+    throw Error(fmt::format("the crop {},{},{},{} is empty or outside the picture of {}×{} pixels",
+                            x0, y0, x1, y1, settings.width, settings.height));
+  return rect;
+}
+
+RenderReport ReportOf(const render::Statistics& statistics, const render::RenderRequest& request,
+                      bool stopped) {
+  RenderReport report;
+  report.device = statistics.device;
+  report.threads = statistics.threads;
+  report.stopped = stopped;
+  const double pixels = double(request.rect.Width()) * request.rect.Height();
+  report.samplesPerPixel = double(statistics.samples) / pixels;
+  report.cameraRays = statistics.rays.camera;
+  report.reflectedRays = statistics.rays.reflected;
+  report.refractedRays = statistics.rays.refracted;
+  report.shadowRays = statistics.rays.shadow;
+  report.prepareSeconds = statistics.flattenSeconds;
+  report.buildSeconds = statistics.buildSeconds;
+  report.renderSeconds = statistics.renderSeconds;
+  report.sceneBytes = statistics.sceneBytes;
+  report.bvhBytes = statistics.bvhBytes;
+  report.filmBytes = statistics.filmBytes;
+  if (statistics.nonFiniteSamples > 0) {
+    const render::NonFiniteSample& first = statistics.nonFinite.front();
+    report.warnings.push_back(
+        fmt::format("{} had a radiance that is not finite and count as black, the first at "
+                    "pixel {},{} sample {}",
+                    Plural(statistics.nonFiniteSamples, "sample"), first.x, first.y, first.sample));
+  }
+  if (statistics.droppedPrimitives > 0) {
+    report.warnings.push_back(fmt::format("{} left out: a coordinate is not finite",
+                                          Plural(statistics.droppedPrimitives, "primitive")));
+  }
+  if (statistics.droppedBranches > 0) {
+    report.warnings.push_back(
+        fmt::format("{} of ray trees left out: the trees are too wide; raise min_contribution",
+                    Plural(statistics.droppedBranches, "branch")));
+  }
+  return report;
+}
+
+}  // namespace
+
+RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* progress,
+                    const StopFlag* stop) {
+  const scene::Scene& contents = scene.contents();
+  render::RenderRequest request;
+  request.settings = SettingsOf(contents, options);
+  request.camera =
+      CameraOf(contents, options, double(request.settings.width) / request.settings.height);
+  request.rect = RectOf(request.settings, options);
+  request.lastSample = std::uint32_t(request.settings.spp);
+  if (options.samples) {
+    std::tie(request.firstSample, request.lastSample) = *options.samples;
+    if (request.firstSample >= request.lastSample)
+      throw Error(fmt::format("the range of samples {}:{} is empty", request.firstSample,
+                              request.lastSample));
+  }
+
+  const ThreadLimit limit(options.threads);
+  render::Film film(request.rect);
+  cpu::CpuRenderer renderer;
+  const render::Statistics statistics = renderer.Render(contents, request, film, progress, stop);
+
+  // Hand the picture over as plain floats
+  const image::Image image = film.ToImage();
+  RenderResult result;
+  result.picture.width = image.width;
+  result.picture.height = image.height;
+  result.picture.rgb.reserve(image.pixels.size() * 3);
+  for (const kernel::vec3& pixel : image.pixels)
+    result.picture.rgb.insert(result.picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  const std::uint64_t asked = std::uint64_t(request.lastSample - request.firstSample) *
+                              std::uint64_t(request.rect.Width()) *
+                              std::uint64_t(request.rect.Height());
+  result.report = ReportOf(statistics, request, statistics.samples < asked);
+  return result;
+}
+
+}  // namespace snell

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Snell's public interface: opening scenes. Installed as <snell/api/scene.h>.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../util/error.h"
+
+namespace snell {
+
+namespace scene {
+struct Scene;
+}
+
+// How to open a file.
+struct LoadOptions {
+  WarningSink warn = {};  // receives what was repaired or is doubtful
+  bool zUp = false;       // bare meshes: the file's z axis points up (CAD, 3D printing)
+  std::optional<float> smooth =
+      {};  // bare meshes without normals: crease angle in degrees; 0 = flat
+};
+
+// An opened scene, ready to render. Copies share the same contents, which do not change.
+class SNELL_EXPORT Scene {
+ public:
+  explicit Scene(std::shared_ptr<const scene::Scene> contents) : contents_(std::move(contents)) {}
+  const scene::Scene& contents() const { return *contents_; }
+
+  // Of the pictures that the scene asks for: what PictureOptions wants.
+  float exposure() const;
+
+ private:
+  std::shared_ptr<const scene::Scene> contents_;
+};
+
+// Open a scene (.toml, .nff) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
+// without a camera gets one that shows everything. Throws Error with every mistake that was found.
+SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+
+// "toml, nff, obj, ply, stl", for messages.
+SNELL_EXPORT std::string KnownSceneExtensions();
+
+// What is in a scene.
+struct SceneInfo {
+  struct Item {
+    std::string name;    // may be empty
+    std::string kind;    // "point light", "sphere", …
+    std::string detail;  // one line of figures; may be empty
+  };
+  std::string name;
+  int width = 0;
+  int height = 0;
+  int spp = 0;
+  std::vector<Item> cameras;
+  std::vector<Item> lights;
+  std::vector<Item> materials;
+  std::vector<Item> textures;
+  std::vector<Item> meshes;
+  std::vector<std::pair<std::string, std::uint64_t>> objectsByKind;
+  std::uint64_t objects = 0;
+  std::uint64_t meshTriangles = 0;       // stored
+  std::uint64_t instancedTriangles = 0;  // seen, instances counted
+  bool bounded = false;                  // whether the box below holds anything
+  std::array<double, 3> lower{};
+  std::array<double, 3> upper{};
+  std::uint64_t sceneBytes = 0;  // once prepared for rendering
+  std::uint64_t bvhBytes = 0;
+  double buildSeconds = 0;
+};
+
+// Builds the BVH to measure it.
+SNELL_EXPORT SceneInfo Inspect(const Scene& scene);
+
+// The reference page of native scene files (Markdown) and their JSON Schema, made from the table that the
+// reader uses.
+SNELL_EXPORT std::string SceneReference();
+SNELL_EXPORT std::string SceneSchema();
+
+}  // namespace snell

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Snell's public interface: what this build is. Installed as <snell/api/version.h>.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../util/error.h"
+
+namespace snell {
+
+// "0.1.0"
+SNELL_EXPORT std::string Version();
+// Compiler and build type.
+SNELL_EXPORT std::string BuildDescription();
+// Instruction sets of the BVH that this processor runs, slowest first; the last one is used.
+SNELL_EXPORT std::vector<std::string> InstructionSets();
+
+}  // namespace snell

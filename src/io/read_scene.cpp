@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/read_scene.h"
+
+#include <fmt/format.h>
+
+#include "io/format.h"
+#include "io/nff.h"
+#include "io/read_mesh.h"
+#include "io/toml_scene.h"
+#include "scene/framing.h"
+#include "scene/validate.h"
+
+namespace snell::io {
+
+// A turn by −90° about x: z up becomes y up.
+static scene::Affine ZUpToYUp() {
+  return {glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
+          glm::dvec4(0, 0, 0, 1)};
+}
+
+static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOptions& options,
+                                 const WarningSink& warn) {
+  MeshReadOptions meshOptions;
+  if (options.smooth) meshOptions.smoothDegrees = *options.smooth;
+  scene::Scene scene;
+  scene.materials.push_back(scene::DefaultMaterial());
+  scene.meshes = ReadMesh(path, meshOptions, warn);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    scene::Object object;
+    object.name = scene.meshes[i].name;
+    object.geometry = scene::MeshGeometry{int(i)};
+    object.material = 0;
+    if (options.zUp) object.toWorld = ZUpToYUp();
+    object.place.file = path.string();
+    scene.objects.push_back(object);
+  }
+  scene::AddStudio(scene);
+  return scene;
+}
+
+scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& options,
+                       const WarningSink& warn) {
+  scene::Scene scene;
+  switch (FormatOf(path)) {
+    case Format::Toml: scene = ReadToml(path, warn); break;
+    case Format::Nff: scene = ReadNff(path, warn); break;
+    case Format::Mesh: scene = ReadBareMesh(path, options, warn); break;
+    case Format::Unknown:
+      throw Error("the file's kind is not known by its extension", {path.string()},
+                  fmt::format("Snell opens {}", KnownFormats()));
+  }
+  scene.name = path.string();
+  scene::Validate(scene, warn);
+  return scene;
+}
+
+}  // namespace snell::io

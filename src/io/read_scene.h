@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Any file that Snell opens becomes a scene: native scenes and NFF as they are, bare meshes set into a
+// studio (scene/framing.h).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace snell::io {
+
+struct ReadOptions {
+  bool zUp = false;             // the file's z axis points up; turned to y. For bare meshes only.
+  std::optional<float> smooth;  // crease angle in degrees for bare meshes without normals; 0: flat
+};
+
+// Throws Error with every mistake found. The result is valid (scene/validate.h).
+scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& options,
+                       const WarningSink& warn);
+
+}  // namespace snell::io
