@@ -149,7 +149,7 @@ show_progress() {
 }
 
 build() {
-  local target=snell jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(count_jobs)}
+  local target=apps/cli/snell jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(count_jobs)}
   if ((tests)); then target=all; fi
   say "building ($preset, $jobs jobs)"
 
