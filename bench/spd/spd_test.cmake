@@ -1,0 +1,20 @@
+# Checks the program's output and exit codes: cmake -DPROGRAM=... -P spd_test.cmake
+function(expect code pattern)
+  execute_process(COMMAND ${PROGRAM} ${ARGN}
+                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL code)
+    message(FATAL_ERROR "snell-spd ${ARGN}: exit code ${result}, expected ${code}\n${output}")
+  endif()
+  if(NOT output MATCHES "${pattern}")
+    message(FATAL_ERROR "snell-spd ${ARGN}: no '${pattern}' in\n${output}")
+  endif()
+endfunction()
+
+expect(0 "^# tetra of .*size 1\nv\nfrom 1.022846 " tetra 1)
+expect(0 "\np 3\n" tetra)
+expect(0 "usage: snell-spd NAME" --help)
+expect(2 "usage: snell-spd NAME")
+expect(2 "usage: snell-spd NAME" balls 1 2)
+expect(2 "no database 'bals'; did you mean 'balls'" bals)
+expect(2 "between 1 and 7, not 8" balls 8)
+expect(2 "whole number, not 'big'" balls big)
