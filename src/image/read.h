@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pictures from files: PNG, JPEG, Radiance HDR and OpenEXR, told apart by content, never by name. Any
+// bytes yield a picture or one Error; sizes are checked against limits before memory is taken.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "image/image.h"
+#include "util/file.h"
+
+namespace snell::image {
+
+enum class ColorSpace {
+  // As the file says, where it says so by a PNG gamma or by chromaticities of HDR and EXR; else PNG and
+  // JPEG are sRGB, HDR and EXR linear Rec.709. ICC profiles are not applied.
+  FromFile,
+  // PNG and JPEG are sRGB whatever they say, as glTF demands; HDR and EXR as above.
+  Srgb,
+  // The numbers themselves, integers scaled to [0, 1]: for normals, roughness, heights.
+  Raw,
+};
+
+struct ReadLimits {
+  std::uint64_t pixels = std::uint64_t(1) << 28;
+  std::uint64_t fileBytes = DefaultFileLimit;
+};
+
+struct ReadOptions {
+  ColorSpace colorSpace = ColorSpace::FromFile;
+  ReadLimits limits = {};
+};
+
+// The picture in a file, turned the way that its file says is up. EXR pictures fill the display window;
+// they have premultiplied alpha and may hold values that are not finite. If `metadata` is not null, it
+// receives the file's text entries. Throws Error with the file and, where known, the byte.
+Image ReadImage(const std::filesystem::path& path, const ReadOptions& options = {},
+                Metadata* metadata = nullptr);
+
+// The same for bytes in memory; `name` is for messages.
+Image DecodeImage(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
+                  Metadata* metadata = nullptr);
+
+}  // namespace snell::image
