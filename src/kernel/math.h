@@ -77,10 +77,12 @@ FN bool IsBlack(Spectrum s) { return MaxChannel(s) <= 0.0f; }
 // Bound of the relative error that n rounded operations accumulate.
 FN float Gamma(float n) { return (n * UnitRoundoff) / (1.0f - n * UnitRoundoff); }
 
-// The next larger and next smaller float; finite arguments only.
+// The next larger and next smaller float; finite arguments only. Denormals are skipped: devices may flush
+// them to zero.
 FN float NextFloatUp(float x) {
   uint bits = floatBitsToUint(x);
-  if (x == 0.0f) return uintBitsToFloat(0x00800000u);  // skip the denormals: devices may flush them
+  if (x == 0.0f) return uintBitsToFloat(0x00800000u);
+  if (bits == 0x80800000u) return 0.0f;
   return uintBitsToFloat(x > 0.0f ? bits + 1u : bits - 1u);
 }
 FN float NextFloatDown(float x) { return -NextFloatUp(-x); }
@@ -107,7 +109,8 @@ FN float DifferenceOfProductsSign(float a, float b, float c, float d) {
 
 // Transcendental functions, within 3 units in the last place of their result unless said otherwise
 
-// Sine and cosine of x radians, |x| < 8000.
+// Sine and cosine of x radians, |x| < 8000; off by less than 8e-8, which beyond |x| = π can be more than
+// three units near their zeros.
 FN void SinCos(float x, OUT(float) sine, OUT(float) cosine) {
   // Subtract the nearest multiple of π/2 in three parts (Cody and Waite 1980)
   float k = floor(x * 0.63661977236758134308f + 0.5f);
@@ -136,11 +139,8 @@ FN float Cos(float x) {
   return c;
 }
 
-// 2 to the power of x; x is clamped to the range of normal floats.
-FN float Exp2(float x) {
-  float clamped = Clamp(x, -126.0f, 127.49f);
-  float n = floor(clamped + 0.5f);
-  float f = clamped - n;
+// 2 to the power of n + f, for an integer n from −126 to 127 and |f| about a half at most.
+FN float Exp2Parts(float n, float f) {
   float p = 1.5252733804059840e-5f;
   p = p * f + 1.5403530393381610e-4f;
   p = p * f + 1.3333558146428443e-3f;
@@ -151,7 +151,20 @@ FN float Exp2(float x) {
   p = p * f + 1.0f;
   return p * uintBitsToFloat(uint(int(n) + 127) << 23);
 }
-FN float Exp(float x) { return Exp2(x * 1.44269504088896340736f); }
+// 2 to the power of x; x is clamped to [−126, 127.49], about the range of normal floats.
+FN float Exp2(float x) {
+  float clamped = Clamp(x, -126.0f, 127.49f);
+  float n = floor(clamped + 0.5f);
+  return Exp2Parts(n, clamped - n);
+}
+// e to the power of x; x is clamped to [−87.33, 88.36].
+FN float Exp(float x) {
+  // Subtract the nearest multiple of ln 2 in two parts, so that large arguments lose no digits
+  float clamped = Clamp(x, -87.33f, 88.36f);
+  float n = floor(clamped * 1.44269504088896340736f + 0.5f);
+  float r = (clamped - n * 0.693359375f) + n * 2.12194440e-4f;
+  return Exp2Parts(n, r * 1.44269504088896340736f);
+}
 FN vec3 Exp(vec3 v) { return vec3(Exp(v.x), Exp(v.y), Exp(v.z)); }
 
 // Base-2 logarithm of a positive normal float.
@@ -189,7 +202,12 @@ FN float Acos(float x) {
   if (c < -0.5f) return Pi - 2.0f * AsinPolynomial(sqrt(0.5f * (1.0f + c)));
   return PiOver2 - AsinPolynomial(c);
 }
-FN float Asin(float x) { return PiOver2 - Acos(x); }
+// Arc sine, likewise.
+FN float Asin(float x) {
+  float a = abs(x);
+  if (a <= 0.5f) return AsinPolynomial(x);
+  return CopySign(PiOver2 - 2.0f * AsinPolynomial(SafeSqrt(0.5f * (1.0f - a))), x);
+}
 
 // Angle of (x, y) in (−π, π]; 0 for the origin.
 FN float Atan2(float y, float x) {

@@ -19,8 +19,13 @@ FN float GradientDot(int ix, int iy, int iz, float x, float y, float z) {
 
 FN float NoiseFade(float t) { return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f); }
 
+// Beyond this floats have no fraction left, and integers soon end.
+CONST float NoiseReach = 1.0e9f;
+
 // Smooth noise in about [−1, 1] with mean 0; 0 at the integer points.
-FN float Noise(vec3 p) {
+FN float Noise(vec3 at) {
+  vec3 p = vec3(Clamp(at.x, -NoiseReach, NoiseReach), Clamp(at.y, -NoiseReach, NoiseReach),
+                Clamp(at.z, -NoiseReach, NoiseReach));
   float fx = floor(p.x);
   float fy = floor(p.y);
   float fz = floor(p.z);

@@ -15,13 +15,18 @@ CONST float PatternShift = 1.0f / 4096.0f;
 // A wave of period 1 that is 1 at the integers and 0 between them.
 FN float PatternWave(float x) { return 0.5f + 0.5f * Cos(2.0f * Pi * (x - floor(x))); }
 
+// Whether the cell of unit length that holds x has an odd number: 1 or 0. Safe for any finite x.
+FN float CellParity(float x) {
+  float cell = floor(x);
+  return cell - 2.0f * floor(0.5f * cell);
+}
+
 // Where the pattern stands between colorA (0) and colorB (1) at p.
 FN float PatternBlend(IN(Texture) texture, vec3 p) {
   switch (texture.kind) {
     case TEXTURE_CHECKER: {
       vec3 q = p + vec3(PatternShift, PatternShift, PatternShift);
-      int cells = int(floor(q.x)) + int(floor(q.y)) + int(floor(q.z));
-      return (cells & 1) == 0 ? 0.0f : 1.0f;
+      return CellParity(CellParity(q.x) + CellParity(q.y) + CellParity(q.z));
     }
     case TEXTURE_STRIPES: {
       float x = p.x + PatternShift;
