@@ -32,6 +32,13 @@ void Source::CheckPlausible(std::uint64_t rawBytes, std::uint64_t ratio) const {
                             ByteSize(bytes.size()), ByteSize(rawBytes)));
 }
 
+std::string Printable(std::string_view text) {
+  std::string printable(text.substr(0, 60));
+  for (char& c : printable)
+    if (c < ' ' || c > '~') c = '?';
+  return text.size() > 60 ? printable + "…" : printable;
+}
+
 vec3 DisplayColor(const vec3& linear, const WriteOptions& options) {
   return EncodeSrgb(Expose(FiniteOrZero(linear), options.exposure));
 }

@@ -43,6 +43,9 @@ std::string EncodeJpeg(const Image& image, const WriteOptions& options, const Pl
 std::string EncodeHdr(const Image& image, const WriteOptions& options, const Place& place);
 std::string EncodeExr(const Image& image, const WriteOptions& options, const Place& place);
 
+// Text from a file, fit for a message: at most 60 characters, '?' for those that are not printable ASCII.
+std::string Printable(std::string_view text);
+
 // The colour of a pixel as an 8- or 16-bit sRGB file stores it, before rounding: without what is not
 // finite, exposed, encoded.
 vec3 DisplayColor(const vec3& linear, const WriteOptions& options);

@@ -88,16 +88,13 @@ TEST(DifferenceImage, IsBlackWhereNothingDiffers) {
 }
 
 TEST(HeatColor, GrowsLighterEvenly) {
-  float before = -1;
-  for (int i = 0; i <= 200; ++i) {
-    const vec3 color = HeatColor(float(i) / 200);
-    const float lightness = std::cbrt(Luminance(color));
-    EXPECT_GT(lightness, before);
-    if (i > 20) {
-      EXPECT_LT(lightness - before, 0.015f);
-    }
-    before = lightness;
+  for (int i = 0; i <= 10; ++i) {
+    const double y = double(Luminance(HeatColor(float(i) / 10)));
+    const double lightness = y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+    EXPECT_NEAR(lightness, 9.7 * i, 0.4) << i;
   }
+  for (int i = 0; i < 200; ++i)
+    EXPECT_LT(Luminance(HeatColor(float(i) / 200)), Luminance(HeatColor(float(i + 1) / 200)));
   EXPECT_EQ(HeatColor(-1), vec3(0));
   EXPECT_EQ(HeatColor(2), HeatColor(1));
   EXPECT_EQ(HeatColor(std::nanf("")), HeatColor(1));

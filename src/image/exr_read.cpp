@@ -25,6 +25,7 @@
 
 #include "image/chromaticity.h"
 #include "image/codec.h"
+#include "image/exr_header.h"
 
 namespace snell::image {
 
@@ -86,13 +87,6 @@ bool FindColor(const Imf::ChannelList& channels, ColorChannels& found) {
   if (names.size() != 1) return false;
   layer(*names.begin() + ".");
   return true;
-}
-
-// A channel's name for a message: what a damaged file calls so may be anything.
-std::string Printable(std::string name) {
-  for (char& c : name)
-    if (c < ' ' || c > '~') c = '?';
-  return name;
 }
 
 bool IsDeep(const Imf::Header& header) {
@@ -246,10 +240,13 @@ std::string Reason(const std::exception& fault) {
   std::string reason = fault.what();
   const std::size_t afterName = reason.find("\". ");
   if (afterName != reason.npos) reason.erase(0, afterName + 3);
-  return Printable(reason);
+  std::replace_if(
+      reason.begin(), reason.end(), [](char c) { return (c & 0x60) == 0; }, ' ');
+  return reason;
 }
 
 Image Decode(const Source& source) {
+  CheckExrHeaders(source);
   MemoryStream stream(source);
   Imf::MultiPartInputFile file(stream, 0, false);
   ColorChannels channels;

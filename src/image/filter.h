@@ -17,7 +17,8 @@ struct Kernel {
 };
 
 // The plane convolved with `horizontal` along its rows and `vertical` along its columns, summed in double
-// precision: derivatives of what is flat must be 0. Pixels beyond the edges are those at the edges. Runs on all threads; the result does not depend on their number.
+// precision: derivatives of what is flat must be 0. Pixels beyond the edges are those at the edges. Runs
+// on all threads; the result does not depend on their number.
 Plane Convolve(const Plane& plane, int width, int height, const Kernel& horizontal,
                const Kernel& vertical);
 

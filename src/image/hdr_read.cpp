@@ -95,7 +95,8 @@ bool ReadVariable(std::string_view name, std::string_view value, Header& header,
     value = Trimmed(value);
     header.xyz = value == "32-bit_rle_xyze";
     if (!header.xyz && value != "32-bit_rle_rgbe")
-      throw cursor.Fault(fmt::format("the HDR has the unknown pixel format '{}'", value));
+      throw cursor.Fault(
+          fmt::format("the HDR has the unknown pixel format '{}'", Printable(value)));
     return true;
   }
   if (name == "EXPOSURE") {
@@ -123,32 +124,31 @@ bool ReadVariable(std::string_view name, std::string_view value, Header& header,
 // Read "-Y 512 +X 1024": the slower axis first, with the directions in which stored pixels run.
 void ReadResolution(std::string_view line, Header& header, const Source& source,
                     const Cursor& cursor) {
-  const Error fault = cursor.Fault(fmt::format("'{}' is no resolution of an HDR", line));
-  const auto axis = [&](char& sign, char& name) {
-    line = Trimmed(line);
-    if (line.size() < 2) throw fault;
-    sign = line[0];
-    name = line[1];
-    line.remove_prefix(2);
-    line = Trimmed(line);
-    std::int64_t count = 0;
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), count);
-    if (error != std::errc() || (sign != '+' && sign != '-')) throw fault;
-    line.remove_prefix(std::size_t(end - line.data()));
-    return count;
+  const Error fault = cursor.Fault(fmt::format("'{}' is no resolution of an HDR", Printable(line)));
+  struct Axis {
+    char sign, name;
+    std::int64_t count;
   };
-  char rowSign, rowAxis, columnSign, columnAxis;
-  const std::int64_t rows = axis(rowSign, rowAxis);
-  const std::int64_t columns = axis(columnSign, columnAxis);
-  const bool rowsAreY = rowAxis == 'Y' && columnAxis == 'X';
-  if (!rowsAreY && !(rowAxis == 'X' && columnAxis == 'Y')) throw fault;
-  source.CheckSize(columns, rows);
-  header.rows = int(rows);
-  header.columns = int(columns);
+  const auto axis = [&] {
+    line = Trimmed(line);
+    if (line.size() < 2 || (line[0] != '+' && line[0] != '-')) throw fault;
+    Axis read{line[0], line[1], 0};
+    line = Trimmed(line.substr(2));
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), read.count);
+    if (error != std::errc()) throw fault;
+    line.remove_prefix(std::size_t(end - line.data()));
+    return read;
+  };
+  const Axis rows = axis(), columns = axis();
+  const bool rowsAreY = rows.name == 'Y' && columns.name == 'X';
+  if (!rowsAreY && !(rows.name == 'X' && columns.name == 'Y')) throw fault;
+  source.CheckSize(columns.count, rows.count);
+  header.rows = int(rows.count);
+  header.columns = int(columns.count);
 
   // X runs to the right and Y runs up
-  const bool yRunsUp = (rowsAreY ? rowSign : columnSign) == '+';
-  const bool xRunsLeft = (rowsAreY ? columnSign : rowSign) == '-';
+  const bool yRunsUp = (rowsAreY ? rows : columns).sign == '+';
+  const bool xRunsLeft = (rowsAreY ? columns : rows).sign == '-';
   header.orientation.flipX = rowsAreY ? xRunsLeft : yRunsUp;
   header.orientation.flipY = rowsAreY ? yRunsUp : xRunsLeft;
   header.orientation.transpose = !rowsAreY;

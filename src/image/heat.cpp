@@ -7,12 +7,12 @@
 
 namespace snell::image {
 
-// Even steps of Oklab lightness (Ottosson 2020) from 0 to 0.975 while the hue turns from 285° over red
-// to 102°, with 92 % of the chroma that sRGB allows there; sRGB codes of 8 bits.
+// Even steps of CIE lightness from 0 to 97, while the hue in Oklab (Ottosson 2020) turns from 288° over
+// red to 102°, with 90 % of the chroma that sRGB allows there and at most 0.2; sRGB codes of 8 bits.
 static constexpr int Steps = 10;
 static constexpr unsigned char Points[Steps + 1][3] = {
-    {0, 0, 0},     {5, 0, 15},     {37, 3, 43},    {77, 7, 64},     {123, 17, 72},  {173, 27, 65},
-    {220, 51, 28}, {232, 115, 38}, {249, 161, 51}, {252, 208, 118}, {254, 249, 204}};
+    {0, 0, 0},     {43, 6, 70},    {82, 13, 91},   {126, 21, 101},  {171, 31, 98},  {214, 49, 83},
+    {245, 85, 57}, {247, 136, 67}, {249, 177, 97}, {251, 214, 138}, {254, 248, 199}};
 
 vec3 HeatColor(float value) {
   const float clamped = value <= 0 ? 0.0f : value < 1 ? value : 1.0f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A colour scale for maps of errors: black, purple, crimson, orange, cream. Lightness rises evenly, so
-// that it reads the same in grey and for colour-blind eyes.
+// A colour scale for maps of errors: black, purple, crimson, orange, cream. CIE lightness rises evenly,
+// so that it reads the same in grey and for colour-blind eyes.
 #pragma once
 
 #include "image/image.h"
