@@ -240,8 +240,8 @@ std::string Reason(const std::exception& fault) {
   std::string reason = fault.what();
   const std::size_t afterName = reason.find("\". ");
   if (afterName != reason.npos) reason.erase(0, afterName + 3);
-  std::replace_if(
-      reason.begin(), reason.end(), [](char c) { return (c & 0x60) == 0; }, ' ');
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+  std::replace_if(reason.begin(), reason.end(), isControl, ' ');
   return reason;
 }
 

@@ -213,6 +213,24 @@ TEST(Exr, ConvertsChromaticitiesUnlessRaw) {
   EXPECT_EQ(ReadImage(folder / "a.exr", {ColorSpace::Raw}).pixels[1], vec3(0, 1, 0));
 }
 
+TEST(Exr, AttributesMustFitTheFileAndTheirTypes) {
+  const TemporaryFolder folder;
+  WriteImage(folder / "a.exr", Pattern(4, 4), {.metadata = {{"Note", "hello"}}});
+  const std::string whole = ReadFile(folder / "a.exr");
+  const auto withSize = [&](const std::string& nameAndType, char low, char high) {
+    std::string bytes = whole;
+    const std::size_t size = bytes.find(nameAndType) + nameAndType.size();
+    bytes[size] = low;
+    bytes[size + 3] = high;
+    return ErrorOf([&] { DecodeImage(bytes, "a.exr"); });
+  };
+  using std::string_literals::operator""s;
+  for (const std::string& error :
+       {withSize("Note\0string\0"s, 5, 0x7f), withSize("Note\0string\0"s, 0, -1),
+        withSize("dataWindow\0box2i\0"s, 12, 0), withSize("channels\0chlist\0"s, 9, 0)})
+    EXPECT_NE(error.find("impossible size"), error.npos) << error;
+}
+
 TEST(Exr, EveryTruncationIsAnError) {
   const TemporaryFolder folder;
   WriteImage(folder / "a.exr", Pattern(9, 40));
