@@ -68,8 +68,9 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
     CoordinateSystem(axis, tangent, bitangent);
     s.wi = Normalize(tangent * local.x + bitangent * local.y + axis * local.z);
     solidAngle = 2.0f * Pi * oneMinusCos;
-    float along = Dot(toCenter, s.wi);
-    s.distance = along - SafeSqrt(radius * radius - (distance * distance - along * along));
+    // The sample's own sine keeps the digits of half the chord for far, small spheres
+    float sample2 = local.x * local.x + local.y * local.y;
+    s.distance = distance * local.z - SafeSqrt(radius * radius - distance * distance * sample2);
   }
   s.distance = DistanceToLight(p, center, s.wi, s.wi, s.distance);
   s.irradiance = Spectrum(0.0f, 0.0f, 0.0f);
