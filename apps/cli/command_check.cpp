@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// snell check: whether scenes can be read and make sense.
+#include <fmt/format.h>
+
+#include "api/snell.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/values.h"
+#include "util/text.h"
+
+namespace snell::cli {
+
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> scenes;
+};
+
+bool CheckScene(const std::string& scene) {
+  std::uint64_t warnings = 0;
+  LoadOptions options;
+  options.warn = [&](const Diagnostic& warning) {
+    ++warnings;
+    PrintWarning(warning);
+  };
+  try {
+    LoadScene(scene, options);
+  } catch (const Error& error) {
+    PrintError(error);
+    return false;
+  }
+  const std::string remark = warnings > 0 ? ", with " + Plural(warnings, "warning") : "";
+  PrintOut(Printable(scene) + ": ok" + remark + "\n");
+  return true;
+}
+
+int RunCheck(const CheckArguments& arguments) {
+  bool allRight = true;
+  for (const std::string& scene : arguments.scenes) allRight = CheckScene(scene) && allRight;
+  return allRight ? Succeeded : Failed;
+}
+
+}  // namespace
+
+void AddCheckCommand(Program& program) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App& command =
+      AddCommand<CheckArguments>(program, "check", "Check whether scenes are right",
+                                 "Reads each file and says \"ok\", or prints every error and "
+                                 "warning with its place. The exit status is "
+                                 "1 if a file has errors.",
+                                 arguments, RunCheck);
+  AddArguments(command, "SCENE", arguments->scenes,
+               "Scenes or meshes (" + KnownSceneExtensions() + ")");
+}
+
+}  // namespace snell::cli

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// snell render: check the outputs, load the scene, render it, write the pictures, sum up.
+#include <fmt/format.h>
+
+#include "api/snell.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/outputs.h"
+#include "cli/progress_bar.h"
+#include "cli/render_options.h"
+#include "cli/render_summary.h"
+#include "cli/signals.h"
+#include "cli/values.h"
+#include "util/file.h"
+#include "util/timer.h"
+
+namespace snell::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+ProgressStyle StyleOf(const RenderArguments& arguments) {
+  return arguments.quiet ? ProgressStyle::None : SuitableStyle();
+}
+
+// Report everything that is wrong with the outputs while it costs nothing yet.
+void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& outputs) {
+  std::vector<Diagnostic> faults;
+  const auto collect = [&](const auto& check) {
+    try {
+      check();
+    } catch (const Error& error) {
+      faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  };
+  for (const Output& output : outputs)
+    collect([&] { CheckPictureWritable(output.path, output.options); });
+  if (arguments.stats) collect([&] { CheckTextWritable(*arguments.stats); });
+  if (!faults.empty()) throw Error(std::move(faults));
+}
+
+void WarnOfMeshOptions(const RenderArguments& arguments, const WarningSink& warn) {
+  const std::string extension = LowerExtension(arguments.scene);
+  if ((arguments.up || arguments.smooth) && (extension == "toml" || extension == "nff"))
+    warn({"--up and --smooth are for mesh files and change nothing here", {arguments.scene}});
+}
+
+Scene Load(const RenderArguments& arguments, RenderSummary& summary) {
+  ProgressBar bar(StyleOf(arguments));
+  LoadOptions options = LoadOptionsOf(arguments);
+  options.warn = [&](const Diagnostic& warning) {
+    summary.warnings.push_back(ToString(warning));
+    if (!arguments.quiet) bar.Interrupt([&] { PrintWarning(warning); });
+  };
+  WarnOfMeshOptions(arguments, options.warn);
+  bar.Begin("loading", 0);
+  const Timer timer;
+  Scene scene = LoadScene(arguments.scene, options);
+  summary.loadSeconds = timer.Seconds();
+  return scene;
+}
+
+// What a picture says about itself. Nothing that differs from run to run, so that the same render gives the
+// same bytes.
+std::vector<std::pair<std::string, std::string>> MetadataOf(const RenderArguments& arguments,
+                                                            const RenderReport& report) {
+  std::vector<std::pair<std::string, std::string>> metadata = {
+      {"Software", "Snell " + Version()},
+      {"Scene", Printable(fs::path(arguments.scene).filename().string())},
+      {"Samples", SamplesText(report.samplesPerPixel)}};
+  if (arguments.samples)
+    metadata.emplace_back(
+        "SampleRange", fmt::format("{}:{}", arguments.samples->first, arguments.samples->second));
+  if (arguments.crop)
+    metadata.emplace_back("Crop", fmt::format("{}", fmt::join(*arguments.crop, ",")));
+  return metadata;
+}
+
+// Print what went wrong with a file and what became of the picture.
+void PrintFaults(const Output& output, const Written& written) {
+  if (written.faults.empty()) return;
+  PrintError(ToString(written.faults.front()));
+  if (written.path.empty())
+    PrintError(fmt::format("{}: the picture is lost; no other place could be written either",
+                           output.path.string()));
+  else
+    PrintNote(fmt::format("the picture is in '{}' instead", written.path.string()));
+}
+
+// Write every picture; false if one is not where it was asked for.
+bool WriteAll(const std::vector<Output>& outputs, const Picture& picture, ProgressBar& bar,
+              RenderSummary& summary) {
+  bool allInPlace = true;
+  const Timer timer;
+  bar.Begin("writing", outputs.size());
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Written written = WriteOrRescue(outputs[i], picture);
+    bar.Interrupt([&] { PrintFaults(outputs[i], written); });
+    if (!written.path.empty()) summary.files.push_back(written.path.string());
+    allInPlace = allInPlace && written.faults.empty();
+    bar.Update(i + 1, 0);
+  }
+  bar.End();
+  summary.writeSeconds = timer.Seconds();
+  return allInPlace;
+}
+
+std::string InterruptionText(const RenderReport& report) {
+  if (report.samplesPerPixel == 0)
+    return "interrupted before anything was rendered; nothing is written";
+  const char* gaps = report.samplesPerPixel < 1 ? "; parts of it are black" : "";
+  return fmt::format("interrupted; the picture has {} samples per pixel{}",
+                     SamplesText(report.samplesPerPixel), gaps);
+}
+
+int RunRender(const RenderArguments& arguments) {
+  const Timer timer;
+  std::vector<Output> outputs = OutputsOf(arguments);
+  IgnoreWriteSignals();
+  CheckOutputs(arguments, outputs);
+  if (!arguments.quiet && arguments.outputs.empty())
+    PrintNote(
+        fmt::format("the picture will be '{}'; -o chooses another name", outputs[0].path.string()));
+
+  RenderSummary summary;
+  summary.scene = arguments.scene;
+  const Scene scene = Load(arguments, summary);
+
+  // Render until done or told to stop
+  const StopOnSignal stop;
+  ProgressBar bar(StyleOf(arguments), &stop.flag());
+  const RenderResult result = Render(scene, RenderOptionsOf(arguments), &bar, &stop.flag());
+  summary.report = result.report;
+  summary.width = result.picture.width;
+  summary.height = result.picture.height;
+  for (const std::string& warning : result.report.warnings) {
+    summary.warnings.push_back(warning);
+    if (!arguments.quiet) PrintWarning({warning, {arguments.scene}});
+  }
+  if (result.report.stopped && !arguments.quiet) PrintNote(InterruptionText(result.report));
+
+  // Write what there is
+  for (Output& output : outputs) {
+    output.options.exposure = arguments.exposure.value_or(scene.exposure());
+    output.options.metadata = MetadataOf(arguments, result.report);
+  }
+  bool allInPlace = true;
+  if (result.report.samplesPerPixel > 0)
+    allInPlace = WriteAll(outputs, result.picture, bar, summary);
+
+  // Sum up
+  summary.totalSeconds = timer.Seconds();
+  summary.peakBytes = PeakMemoryBytes();
+  if (!arguments.quiet) PrintParagraph(SummaryText(summary));
+  if (arguments.stats) WriteText(*arguments.stats, SummaryJson(summary));
+  if (!allInPlace) return Failed;
+  return stop.signal() ? Signalled + stop.signal() : Succeeded;
+}
+
+}  // namespace
+
+void AddRenderCommand(Program& program) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App& command = AddCommand<RenderArguments>(
+      program, "render", "Render a scene or a mesh",
+      "Renders SCENE and writes one or more pictures. A mesh is framed by a camera and lit by "
+      "three lights. "
+      "What the scene says about size and samples is the default of these options.\n\n"
+      "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program at "
+      "once.",
+      arguments, RunRender);
+  AddRenderOptions(command, *arguments);
+}
+
+}  // namespace snell::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the program says on the standard error output: one line for each error, warning or note. Names and
+// texts out of files are shown harmlessly, without the control characters that a terminal would obey.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "util/error.h"
+
+namespace snell::cli {
+
+// "snell: text"
+void PrintNote(std::string_view text);
+// The same for several lines, which stay as they are.
+void PrintParagraph(std::string_view text);
+
+// "snell: warning: place: message; hint"
+void PrintWarning(const Diagnostic& warning);
+
+// "snell: error: place: message; hint", a line for each of the error's diagnostics.
+void PrintError(const Error& error);
+void PrintError(std::string_view text);
+
+// Print on the standard output. Run() reports what could not be written.
+void PrintOut(std::string_view text);
+
+// Control characters other than line ends and tabs shown as "\x1b", so that a file's contents cannot steer
+// the terminal.
+std::string Printable(std::string_view text);
+
+}  // namespace snell::cli

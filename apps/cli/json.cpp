@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace snell::cli {
+
+namespace {
+
+// Bytes of the UTF-8 sequence at the start of `text`; 0 if it is none (RFC 3629, section 4).
+std::size_t SequenceLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char head = byte(0);
+  if (head < 0x80) return 1;
+  const std::size_t length = head >= 0xF5   ? 0
+                             : head >= 0xF0 ? 4
+                             : head >= 0xE0 ? 3
+                             : head >= 0xC2 ? 2
+                                            : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  const bool overlong = (head == 0xE0 && byte(1) < 0xA0) || (head == 0xF0 && byte(1) < 0x90);
+  const bool surrogate = head == 0xED && byte(1) >= 0xA0;
+  const bool beyond = head == 0xF4 && byte(1) >= 0x90;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
+std::string Quote(std::string_view text) {
+  std::string quoted = "\"";
+  while (!text.empty()) {
+    const std::size_t length = SequenceLength(text);
+    const char c = text[0];
+    if (length == 0)
+      quoted += "\xEF\xBF\xBD";
+    else if (c == '"' || c == '\\')
+      quoted += std::string("\\") + c;
+    else if (length == 1 && static_cast<unsigned char>(c) < 0x20)
+      quoted += fmt::format("\\u{:04x}", c);
+    else
+      quoted += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+void JsonWriter::Name(std::string_view name) {
+  if (!first_) text_ += ',';
+  text_ += '\n' + std::string(2 * open_.size(), ' ');
+  if (open_.back() == '{') text_ += Quote(name) + ": ";
+  first_ = false;
+}
+
+void JsonWriter::Open(char bracket) {
+  text_ += bracket;
+  open_ += bracket;
+  first_ = true;
+}
+
+void JsonWriter::Begin(std::string_view name, char bracket) {
+  Name(name);
+  Open(bracket);
+}
+
+void JsonWriter::End() {
+  const char bracket = open_.back();
+  open_.pop_back();
+  if (!first_) text_ += '\n' + std::string(2 * open_.size(), ' ');
+  text_ += bracket == '{' ? '}' : ']';
+  first_ = false;
+}
+
+void JsonWriter::Add(std::string_view name, std::string_view value) {
+  Name(name);
+  text_ += Quote(value);
+}
+
+void JsonWriter::Add(std::string_view name, double value) {
+  Name(name);
+  text_ += std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+void JsonWriter::Add(std::string_view name, std::uint64_t value) {
+  Name(name);
+  text_ += fmt::format("{}", value);
+}
+
+void JsonWriter::Add(std::string_view name, int value) {
+  Name(name);
+  text_ += fmt::format("{}", value);
+}
+
+void JsonWriter::Add(std::string_view name, bool value) {
+  Name(name);
+  text_ += value ? "true" : "false";
+}
+
+void JsonWriter::Add(std::string_view name, const std::vector<std::string>& values) {
+  BeginArray(name);
+  for (const std::string& value : values) Add("", value);
+  End();
+}
+
+std::string JsonWriter::Finish() {
+  while (!open_.empty()) End();
+  return text_ + '\n';
+}
+
+}  // namespace snell::cli

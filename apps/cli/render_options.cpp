@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "cli/values.h"
+#include "util/file.h"
+
+namespace snell::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int MaxSamples = std::numeric_limits<int>::max();
+constexpr int MaxThreads = 4096;
+constexpr float MaxStops = 100;
+
+void AddOutputOptions(CLI::App& command, RenderArguments& a) {
+  AddValues(
+      command, "-o,--output", "FILE", ReadText, a.outputs,
+      "Write the picture to FILE, whose extension names the format: " + KnownPictureExtensions() +
+          ". May be given several times. Without it, SCENE's name with .png in the current folder");
+  AddChoice(command, "--bits", "8|16", a.bits, "PNG: bits per channel (8)");
+  AddFlag(command, "--float", a.exrFloat, "EXR: 32-bit floats instead of 16-bit ones");
+  AddValue(command, "--quality", "N", WholeNumber(1, 100), a.quality,
+           fmt::format("JPEG: quality from 1 to 100 ({})", PictureOptions{}.jpegQuality));
+  AddValue(command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
+           "PNG and JPEG: brighten by this many factors of two; EXR and HDR stay linear");
+}
+
+void AddViewOptions(CLI::App& command, RenderArguments& a) {
+  AddValue<std::pair<int, int>>(
+      command, "--size", "WxH", ReadSize, a.size,
+      "Width and height in pixels; one alone (800 or x600) keeps the proportions");
+  AddValue<std::array<int, 4>>(command, "--crop", "X0,Y0,X1,Y1", ReadCrop, a.crop,
+                               "Render only this part of the picture, in pixels from its top left "
+                               "corner; X1 and Y1 are left out");
+  AddValue<std::string>(command, "--camera", "NAME", ReadText, a.camera,
+                        "The scene's camera of this name instead of its first one");
+}
+
+void AddQualityOptions(CLI::App& command, RenderArguments& a) {
+  AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp, "Samples per pixel");
+  AddValue<std::pair<std::uint32_t, std::uint32_t>>(
+      command, "--samples", "A:B", ReadSampleRange, a.samples,
+      "Only the samples from number A up to B, which is left out");
+  AddChoice(command, "--integrator", "whitted", a.integrator, "How light is followed");
+  AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
+           "Longest chain of reflections and refractions; 1: none");
+  AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
+           "Follow no ray that adds less than this to its pixel");
+}
+
+void AddMeshOptions(CLI::App& command, RenderArguments& a) {
+  AddChoice(command, "--up", "y|z", a.up, "Mesh files: the axis that points up (y)");
+  AddValue(command, "--smooth", "DEGREES", Number(0, 180), a.smooth,
+           "Mesh files without normals: shade edges below this angle smoothly; 0: flat");
+}
+
+void AddRunOptions(CLI::App& command, RenderArguments& a) {
+  AddValue(
+      command, "--threads", "N", WholeNumber(1, MaxThreads), a.threads,
+      "Threads to work with; all processors without it. The picture is the same for any number");
+  AddFlag(command, "-q,--quiet", a.quiet, "Say nothing but errors");
+  AddValue<std::string>(
+      command, "--stats", "FILE", ReadText, a.stats,
+      "Write times, counts of rays and memory as JSON; '-' is the standard output");
+}
+
+bool AnyIs(const std::vector<Output>& outputs, std::initializer_list<const char*> extensions) {
+  return std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) {
+    return std::count(extensions.begin(), extensions.end(), LowerExtension(output.path)) > 0;
+  });
+}
+
+}  // namespace
+
+void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
+  AddArgument(command, "SCENE", arguments.scene,
+              "A scene or a mesh (" + KnownSceneExtensions() + ")");
+  command.option_defaults()->group("Output");
+  AddOutputOptions(command, arguments);
+  command.option_defaults()->group("View");
+  AddViewOptions(command, arguments);
+  command.option_defaults()->group("Quality");
+  AddQualityOptions(command, arguments);
+  command.option_defaults()->group("Mesh files");
+  AddMeshOptions(command, arguments);
+  command.option_defaults()->group("Running");
+  AddRunOptions(command, arguments);
+}
+
+LoadOptions LoadOptionsOf(const RenderArguments& arguments) {
+  LoadOptions options;
+  options.zUp = arguments.up == "z";
+  options.smooth = arguments.smooth;
+  return options;
+}
+
+RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
+  RenderOptions options;
+  const auto [width, height] = arguments.size.value_or(std::pair(0, 0));
+  if (width > 0) options.width = width;
+  if (height > 0) options.height = height;
+  options.spp = arguments.spp;
+  options.maxDepth = arguments.maxDepth;
+  options.minContribution = arguments.minContribution;
+  options.integrator = arguments.integrator;
+  options.camera = arguments.camera;
+  options.crop = arguments.crop;
+  options.samples = arguments.samples;
+  options.threads = arguments.threads.value_or(0);
+  return options;
+}
+
+std::vector<Output> OutputsOf(const RenderArguments& arguments) {
+  std::vector<Output> outputs;
+  std::set<fs::path> seen;
+  std::vector<std::string> names = arguments.outputs;
+  if (names.empty()) names.push_back(fs::path(arguments.scene).stem().string() + ".png");
+  for (const std::string& name : names) {
+    if (!seen.insert(fs::path(name).lexically_normal()).second)
+      throw UsageError("--output names '" + name + "' twice");
+    Output output{ReadFor<std::string>("--output", ReadPictureName, name), {}};
+    // Formats without a choice take what they have
+    if (arguments.bits == "16" && LowerExtension(name) == "png") output.options.bits = 16;
+    output.options.exrFloat = arguments.exrFloat;
+    output.options.jpegQuality = arguments.quality.value_or(output.options.jpegQuality);
+    outputs.push_back(std::move(output));
+  }
+
+  // An option that changes nothing is a misunderstanding
+  const auto require = [&](bool given, const char* option,
+                           std::initializer_list<const char*> extensions) {
+    if (given && !AnyIs(outputs, extensions))
+      throw UsageError(std::string(option) + " is for ." + *extensions.begin() +
+                       " files, and none is written");
+  };
+  require(arguments.bits.has_value(), "--bits", {"png"});
+  require(arguments.exrFloat, "--float", {"exr"});
+  require(arguments.quality.has_value(), "--quality", {"jpg", "jpeg"});
+  require(arguments.exposure.has_value(), "--exposure", {"png", "jpg", "jpeg"});
+  return outputs;
+}
+
+}  // namespace snell::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The options of "snell render" as they are given.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/snell.h"
+#include "cli/outputs.h"
+
+namespace snell::cli {
+
+struct RenderArguments {
+  std::string scene;
+  std::vector<std::string> outputs;
+  std::optional<std::string> bits;  // "8" or "16"
+  bool exrFloat = false;
+  std::optional<int> quality;
+  std::optional<float> exposure;
+
+  std::optional<std::pair<int, int>> size;  // 0: not given
+  std::optional<std::array<int, 4>> crop;
+  std::optional<std::string> camera;
+
+  std::optional<int> spp;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> samples;
+  std::optional<std::string> integrator;
+  std::optional<int> maxDepth;
+  std::optional<float> minContribution;
+
+  std::optional<std::string> up;  // "y" or "z"
+  std::optional<float> smooth;
+
+  std::optional<int> threads;
+  bool quiet = false;
+  std::optional<std::string> stats;
+};
+
+// Declare the options. `arguments` must live until the command line has been parsed.
+void AddRenderOptions(CLI::App& command, RenderArguments& arguments);
+
+LoadOptions LoadOptionsOf(const RenderArguments& arguments);
+RenderOptions RenderOptionsOf(const RenderArguments& arguments);
+
+// The pictures to write, without what is known only later (exposure, metadata). Throws UsageError if an
+// option has nothing to work on.
+std::vector<Output> OutputsOf(const RenderArguments& arguments);
+
+}  // namespace snell::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render_summary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/json.h"
+#include "util/text.h"
+
+namespace snell::cli {
+
+static double MraysPerSecond(const RenderReport& report) {
+  return report.renderSeconds > 0 ? double(report.Rays()) / report.renderSeconds * 1e-6 : 0;
+}
+
+std::string SamplesText(double samplesPerPixel) {
+  const bool whole = samplesPerPixel == std::floor(samplesPerPixel);
+  return whole ? fmt::format("{:.0f}", samplesPerPixel) : fmt::format("{:.2f}", samplesPerPixel);
+}
+
+std::string SummaryText(const RenderSummary& summary) {
+  const RenderReport& r = summary.report;
+  std::string text =
+      fmt::format("{}: {} × {} pixels, {} samples per pixel; {}, {}\n", summary.scene,
+                  summary.width, summary.height, SamplesText(r.samplesPerPixel), r.device,
+                  Plural(std::uint64_t(r.threads), "thread"));
+  text += fmt::format("  time     load {}, prepare {}, build {}, render {}, write {}; {} in all\n",
+                      Duration(summary.loadSeconds), Duration(r.prepareSeconds),
+                      Duration(r.buildSeconds), Duration(r.renderSeconds),
+                      Duration(summary.writeSeconds), Duration(summary.totalSeconds));
+  text += fmt::format(
+      "  rays     {} camera, {} reflected, {} refracted, {} shadow; {} in all, {:.2f} Mrays/s\n",
+      WithCommas(r.cameraRays), WithCommas(r.reflectedRays), WithCommas(r.refractedRays),
+      WithCommas(r.shadowRays), WithCommas(r.Rays()), MraysPerSecond(r));
+  text +=
+      fmt::format("  memory   scene {}, BVH {}, film {}; {} at the peak\n", ByteSize(r.sceneBytes),
+                  ByteSize(r.bvhBytes), ByteSize(r.filmBytes), ByteSize(summary.peakBytes));
+  text += fmt::format("  written  {}\n", summary.files.empty()
+                                             ? "nothing"
+                                             : fmt::format("{}", fmt::join(summary.files, ", ")));
+  return text;
+}
+
+std::string SummaryJson(const RenderSummary& summary) {
+  const RenderReport& r = summary.report;
+  JsonWriter json;
+  json.Add("snell", Version());
+  json.Add("scene", summary.scene);
+  json.Add("device", r.device);
+  json.Add("threads", r.threads);
+  json.BeginObject("picture");
+  json.Add("width", summary.width);
+  json.Add("height", summary.height);
+  json.Add("samples_per_pixel", r.samplesPerPixel);
+  json.Add("complete", !r.stopped);
+  json.End();
+  json.BeginObject("seconds");
+  json.Add("load", summary.loadSeconds);
+  json.Add("prepare", r.prepareSeconds);
+  json.Add("build", r.buildSeconds);
+  json.Add("render", r.renderSeconds);
+  json.Add("write", summary.writeSeconds);
+  json.Add("total", summary.totalSeconds);
+  json.End();
+  json.BeginObject("rays");
+  json.Add("camera", r.cameraRays);
+  json.Add("reflected", r.reflectedRays);
+  json.Add("refracted", r.refractedRays);
+  json.Add("shadow", r.shadowRays);
+  json.Add("total", r.Rays());
+  json.End();
+  json.Add("mrays_per_second", MraysPerSecond(r));
+  json.BeginObject("bytes");
+  json.Add("scene", r.sceneBytes);
+  json.Add("bvh", r.bvhBytes);
+  json.Add("film", r.filmBytes);
+  json.Add("peak", summary.peakBytes);
+  json.End();
+  json.Add("files", summary.files);
+  json.Add("warnings", summary.warnings);
+  return json.Finish();
+}
+
+}  // namespace snell::cli
