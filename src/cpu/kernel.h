@@ -12,7 +12,7 @@ namespace snell::cpu {
 
 using namespace kernel;
 
-// Views only: cheap to copy, one per thread or shared.
+// Views only: cheap to copy, one per thread.
 struct Kernel {
   const RenderParams& params;
   const Object* objects;
@@ -28,6 +28,7 @@ struct Kernel {
   const Texture* textures;
   const Light* lights;
   const bvh::Bvh& bvh;
+  WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
   Hit ClosestHit(const Ray& ray, float tMax, uint mask) { return bvh.Closest(ray, tMax, mask); }
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }

@@ -62,6 +62,8 @@ Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
 void RenderTile(Kernel kernel, render::PixelRect tile, render::SampleRange samples, Replay& replay,
                 render::Film& film, WorkerCounts& counts) {
   WhittedState state;
+  WhittedBranch branches[WhittedStackSize];
+  kernel.branches = branches;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       for (std::uint32_t sample = samples.first; sample < samples.last; ++sample) {

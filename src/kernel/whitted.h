@@ -4,7 +4,7 @@
 // state: WhittedBegin makes the ray from the camera, each WhittedStep follows one ray of the tree to its
 // surface, adds the light that the surface sends back and queues the reflected and the refracted ray, until
 // no ray is left. A CPU loops over the steps; a GPU may launch them one by one over many states.
-// Reads all buffers of the scene.
+// Reads all buffers of the scene, and keeps the branches that wait in `branches`.
 #ifndef SNELL_KERNEL_WHITTED_H
 #define SNELL_KERNEL_WHITTED_H
 
@@ -40,7 +40,7 @@ SCENE_FN void WhittedNext(INOUT(WhittedState) s) {
     return;
   }
   s.waiting -= 1u;
-  s.branch = s.stack[s.waiting];
+  s.branch = branches[s.waiting];
 }
 
 SCENE_FN void WhittedWait(INOUT(WhittedState) s, IN(WhittedBranch) branch) {
@@ -48,7 +48,7 @@ SCENE_FN void WhittedWait(INOUT(WhittedState) s, IN(WhittedBranch) branch) {
     s.dropped += 1u;
     return;
   }
-  s.stack[s.waiting] = branch;
+  branches[s.waiting] = branch;
   s.waiting += 1u;
 }
 

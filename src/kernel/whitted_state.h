@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the Whitted integrator keeps between its steps: the branch of the ray tree being followed, the
-// branches that wait, and the radiance gathered so far.
+// What the Whitted integrator keeps between its steps: the branch of the ray tree being followed and the
+// radiance gathered so far. The branches that wait are kept by the device, in its array `branches` of
+// WhittedStackSize places: they are too large to be copied in and out of functions, as GLSL does, and a GPU
+// that runs the steps one by one leaves them in memory.
 #ifndef SNELL_KERNEL_WHITTED_STATE_H
 #define SNELL_KERNEL_WHITTED_STATE_H
 
@@ -26,9 +28,8 @@ CONST uint CachedTerms = 8u;
 
 struct WhittedState {
   WhittedBranch branch;
-  uint alive;  // 1: `branch` is to be traced
-  uint waiting;
-  WhittedBranch stack[32];
+  uint alive;    // 1: `branch` is to be traced
+  uint waiting;  // how many of `branches` are to be traced later
   Spectrum L;
   uint seed;         // of this pixel
   uint sampleIndex;  // of this pixel

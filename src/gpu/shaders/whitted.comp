@@ -11,6 +11,8 @@
 #include "gpu/shaders/buffers.glsl"
 #include "gpu/shaders/brute_force.glsl"
 
+WhittedBranch branches[WhittedStackSize];
+
 #include "kernel/scene_texture.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
