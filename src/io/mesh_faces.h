@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Faces as files give them, and the step that all mesh readers share: polygons are cut into triangles,
+// corners that agree in position, uv and normal become one vertex, and faces with undefined positions go.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace snell::io {
+
+struct MeshFile;
+
+// Stands for an index that a corner does not have.
+inline constexpr std::uint32_t NoIndex = 0xffffffffu;
+
+// Polygons of at least three corners. A corner refers to a position and, separately, to a uv and a normal;
+// or these go with the positions, one for each.
+struct FaceSet {
+  std::string name;
+  std::vector<kernel::vec3> positions;
+  std::vector<kernel::vec2> uvs;
+  std::vector<kernel::vec3> normals;  // of any length; zero or not finite counts as missing
+  bool uvsGoWithPositions = false;
+  bool normalsGoWithPositions = false;
+
+  std::uint64_t faceCount = 0;
+  std::vector<std::uint32_t> sizes;  // corners of each face; empty while all are triangles
+  // For each corner, face after face. The last two are empty while no corner has such an index, else may
+  // end early: the corners that follow have none. Positions are in range, the others need not be.
+  std::vector<std::uint32_t> positionOf;
+  std::vector<std::uint32_t> uvOf;
+  std::vector<std::uint32_t> normalOf;
+
+  void AddCorner(std::uint32_t position, std::uint32_t uv = NoIndex,
+                 std::uint32_t normal = NoIndex);
+  // Ends a face with the last `corners` corners.
+  void EndFace(std::uint32_t corners);
+};
+
+// The mesh of the faces, with normals if the file has some that may be used (they are completed where
+// missing) and without any otherwise. Throws Error if more triangles come out than the options allow, or
+// none. Warns about whatever was left out.
+scene::Mesh BuildMesh(FaceSet faces, const MeshFile& file);
+
+}  // namespace snell::io

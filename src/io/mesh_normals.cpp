@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/mesh_normals.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "io/mesh_corners.h"
+#include "io/mesh_table.h"
+
+namespace snell::io {
+namespace {
+
+using glm::dvec3;
+using kernel::uvec3;
+using kernel::vec3;
+using scene::Mesh;
+
+using Index = std::uint32_t;
+constexpr Index None = 0xffffffffu;
+
+// Places that one task works on.
+constexpr std::size_t BlockSize = 2048;
+// Faces around a place that are compared one with another.
+constexpr std::size_t FewFaces = 64;
+
+// Unit length, or zero for a triangle without area.
+std::vector<vec3> FaceNormals(const Mesh& mesh) {
+  std::vector<vec3> normals(mesh.triangles.size());
+  tbb::parallel_for(std::size_t(0), normals.size(), [&](std::size_t i) {
+    const uvec3 t = mesh.triangles[i];
+    const dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+    const dvec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    normals[i] = length > 0 ? vec3(normal / length) : vec3(0.0f);
+  });
+  return normals;
+}
+
+// The angle of a triangle's corner, radians.
+double CornerAngle(const Mesh& mesh, Index corner) {
+  const uvec3 t = mesh.triangles[corner / 3];
+  const int k = int(corner % 3);
+  const dvec3 p(mesh.positions[t[k]]);
+  const dvec3 a = dvec3(mesh.positions[t[(k + 1) % 3]]) - p;
+  const dvec3 b = dvec3(mesh.positions[t[(k + 2) % 3]]) - p;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+// New vertices of some places.
+struct Block {
+  std::vector<Index> sources;  // the vertex that each was made of
+  std::vector<vec3> normals;
+};
+
+// Makes the vertices of one place after the other.
+class PlaceSmoother {
+ public:
+  PlaceSmoother(const Mesh& mesh, const std::vector<vec3>& faceNormals, double minCosine)
+      : mesh_(mesh), faceNormals_(faceNormals), minCosine_(minCosine) {}
+
+  // Add the vertices that the corners of a place need to `block`, and write for each corner the number
+  // of its vertex in the block to `vertexOf[corner]`.
+  void Smooth(std::span<const Index> corners, Block& block, std::vector<Index>& vertexOf) {
+    GroupFaces(corners);
+    ComputeNormals();
+
+    const std::size_t first = block.sources.size();
+    const bool few = corners.size() <= FewFaces;
+    std::optional<IndexTable> table;
+    if (!few) table.emplace(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      // A triangle without area is never hit: any normal will do
+      const vec3 normal =
+          groups_.empty() ? vec3(0, 1, 0) : groups_[groupOf_[i] == None ? 0 : groupOf_[i]].normal;
+      const Index source = mesh_.triangles[corners[i] / 3][int(corners[i] % 3)];
+      const auto equals = [&](std::size_t v) {
+        return block.sources[v] == source && block.normals[v] == normal;
+      };
+
+      const Index next = Index(block.sources.size());
+      Index vertex = next;
+      if (few) {
+        vertex = Index(first);
+        while (vertex < next && !equals(vertex)) ++vertex;
+      } else {
+        const uvec3 bits = PositionBits(normal);
+        const std::uint64_t hash = HashOf(bits.x, bits.y, bits.z) + source;
+        vertex = table->FindOrAdd(MixBits(hash), next, equals);
+      }
+      if (vertex == next) {
+        block.sources.push_back(source);
+        block.normals.push_back(normal);
+      }
+      vertexOf[corners[i]] = vertex;
+    }
+  }
+
+ private:
+  // Faces that act as one: a single face, or many in nearly the same direction.
+  struct Group {
+    dvec3 direction;
+    dvec3 sum;  // of normals, weighted by the corners' angles
+    vec3 normal;
+  };
+
+  // Sort the faces at a place into groups.
+  void GroupFaces(std::span<const Index> corners) {
+    const bool few = corners.size() <= FewFaces;
+    if (!few) groupAt_.fill(None);
+    groups_.clear();
+    groupOf_.assign(corners.size(), None);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const dvec3 normal(faceNormals_[corners[i] / 3]);
+      if (normal == dvec3(0.0)) continue;
+
+      Index fresh = None;
+      Index& group = few ? fresh : groupAt_[CellOf(normal)];
+      if (group == None) {
+        group = Index(groups_.size());
+        groups_.push_back({normal, dvec3(0.0), vec3(0.0f)});
+      }
+      groups_[group].sum += normal * CornerAngle(mesh_, corners[i]);
+      groupOf_[i] = group;
+    }
+    if (few) return;
+    for (Group& group : groups_)
+      if (glm::length(group.sum) > 0) group.direction = glm::normalize(group.sum);
+  }
+
+  // The normal of each group: the sum of all groups within the crease angle.
+  void ComputeNormals() {
+    for (Group& group : groups_) {
+      dvec3 sum(0.0);
+      for (const Group& other : groups_)
+        if (glm::dot(group.direction, other.direction) >= minCosine_) sum += other.sum;
+
+      // Faces back to back cancel
+      const double length = glm::length(sum);
+      group.normal = vec3(length > 1e-9 ? sum / length : group.direction);
+    }
+  }
+
+  // Cells of the cube around the unit sphere; some 4,000 of them touch it. A cell spans less than 7°.
+  static constexpr int CellsPerAxis = 32;
+  static std::size_t CellOf(const dvec3& direction) {
+    std::size_t cell = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int at = int((direction[axis] + 1) * (CellsPerAxis / 2));
+      cell = cell * CellsPerAxis + std::size_t(std::clamp(at, 0, CellsPerAxis - 1));
+    }
+    return cell;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<vec3>& faceNormals_;
+  double minCosine_;
+  std::vector<Group> groups_;
+  std::vector<Index> groupOf_;  // of each corner; None for those without a face normal
+  std::array<Index, CellsPerAxis * CellsPerAxis * CellsPerAxis> groupAt_;
+};
+
+// Make the vertices of all places, block by block; `vertexOf` counts them within each block.
+std::vector<Block> MakeVertices(const Mesh& mesh, const CornerLists& lists, double minCosine,
+                                std::vector<Index>& vertexOf) {
+  const std::size_t placeCount = mesh.positions.size();
+  const std::vector<vec3> faceNormals = FaceNormals(mesh);
+  std::vector<Block> blocks((placeCount + BlockSize - 1) / BlockSize);
+  tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
+    PlaceSmoother smoother(mesh, faceNormals, minCosine);
+    const std::size_t end = std::min(placeCount, (b + 1) * BlockSize);
+    for (std::size_t place = b * BlockSize; place < end; ++place)
+      if (!lists.At(place).empty()) smoother.Smooth(lists.At(place), blocks[b], vertexOf);
+  });
+  return blocks;
+}
+
+}  // namespace
+
+void SmoothNormals(Mesh& mesh, float creaseDegrees) {
+  mesh.normals = {};
+  if (!(creaseDegrees > 0) || mesh.triangles.empty()) return;
+
+  // A face at exactly the crease angle is still smooth
+  const double angle = glm::radians(std::min(double(creaseDegrees), 180.0));
+  const double minCosine = std::cos(angle) - 1e-6;
+  const CornerLists lists = ListCorners(mesh);
+  std::vector<Index> vertexOf(mesh.triangles.size() * 3);
+  const std::vector<Block> blocks = MakeVertices(mesh, lists, minCosine, vertexOf);
+
+  // Lay the blocks one after the other
+  std::vector<Index> offsets(blocks.size() + 1, 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    offsets[b + 1] = offsets[b] + Index(blocks[b].sources.size());
+  std::vector<vec3> positions(offsets.back());
+  std::vector<kernel::vec2> uvs(mesh.uvs.empty() ? 0 : offsets.back());
+  mesh.normals.resize(offsets.back());
+  tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
+    for (std::size_t i = 0; i < blocks[b].sources.size(); ++i) {
+      const std::size_t vertex = offsets[b] + i, source = blocks[b].sources[i];
+      positions[vertex] = mesh.positions[source];
+      mesh.normals[vertex] = blocks[b].normals[i];
+      if (!uvs.empty()) uvs[vertex] = mesh.uvs[source];
+    }
+    const std::size_t end = std::min(mesh.positions.size(), (b + 1) * BlockSize);
+    for (Index i = lists.begin[b * BlockSize]; i < lists.begin[end]; ++i) {
+      const Index corner = lists.corners[i];
+      mesh.triangles[corner / 3][int(corner % 3)] = vertexOf[corner] + offsets[b];
+    }
+  });
+  mesh.positions = std::move(positions);
+  mesh.uvs = std::move(uvs);
+}
+
+}  // namespace snell::io
