@@ -10,7 +10,9 @@
 //   LET(T)          a local name for an element of a buffer, read only
 //   CONST           a constant of the file
 //
-// GLSL types are used in both (vec3, uint, uvec3 …); vectors are GLM's in C++.
+// GLSL types are used in both (vec3, uint, uvec3 …); vectors are GLM's in C++. Products and quotients of
+// constants alone need care: GLSL's compiler folds them in double precision, C++ in single, and the last bit
+// may differ (tests/agree/constants_test.cpp lists the ones that are in use).
 #ifndef SNELL_KERNEL_DIALECT_H
 #define SNELL_KERNEL_DIALECT_H
 

@@ -56,7 +56,7 @@ FN float SampleBlackmanHarris(float u) {
     float s3 = s2 * c1 + c2 * s1;
     float c3 = c2 * c1 - s2 * s1;
     float integral = Blackman0 * Pi * (x + 1.0f) + Blackman1 * s1 + 0.5f * Blackman2 * s2 +
-                     (1.0f / 3.0f) * Blackman3 * s3;
+                     (1.0f / 3.0f) * (Blackman3 * s3);
     float error = integral / (2.0f * Blackman0 * Pi) - mass;
     float density =
         (Blackman0 + Blackman1 * c1 + Blackman2 * c2 + Blackman3 * c3) / (2.0f * Blackman0);
