@@ -166,9 +166,9 @@ void FaceSet::EndFace(std::uint32_t corners) {
 
 Mesh BuildMesh(FaceSet faces, const MeshFile& file) {
   if (faces.positions.size() > NoIndex)
-    throw Error(fmt::format("the file has {} vertices; the limit is {}", faces.positions.size(),
-                            NoIndex),
-                file.AtLine(0));
+    throw Error(
+        fmt::format("the file has {} vertices; the limit is {}", faces.positions.size(), NoIndex),
+        file.AtLine(0));
   DropMissing(faces.uvOf, faces.uvs.size(), "texture coordinates", file);
   if (file.options.ignoreFileNormals) {
     faces.normalOf.clear();
