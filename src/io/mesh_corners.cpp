@@ -11,9 +11,9 @@
 namespace snell::io {
 namespace {
 
-using kernel::uvec3;
-using kernel::vec3;
 using scene::Mesh;
+using scene::uvec3;
+using scene::vec3;
 
 using Index = std::uint32_t;
 

@@ -9,8 +9,8 @@ namespace snell::io {
 namespace {
 
 using glm::dvec3;
-using kernel::uvec3;
-using kernel::vec3;
+using scene::uvec3;
+using scene::vec3;
 
 // Whether a quadrilateral is to be cut from corner 1 to 3 instead of from 0 to 2.
 bool CutsFromOneToThree(std::span<const vec3> places) {

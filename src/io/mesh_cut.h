@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/dialect.h"
+#include "scene/scene.h"
 
 namespace snell::io {
 
@@ -17,8 +17,8 @@ class FaceCutter {
   // Append the triangles of the face with these corners, at least three, in finite places. They index
   // corners: `firstCorner` is the face's first one, and the others follow it. Faces without any area may
   // give none.
-  void Cut(std::span<const kernel::vec3> places, std::uint32_t firstCorner,
-           std::vector<kernel::uvec3>& triangles);
+  void Cut(std::span<const scene::vec3> places, std::uint32_t firstCorner,
+           std::vector<scene::uvec3>& triangles);
 
   // Polygons so far whose outline crosses itself, and those cut as fans because the time that intricate
   // polygons may take, in all, was used up.

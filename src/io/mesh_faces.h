@@ -21,9 +21,9 @@ inline constexpr std::uint32_t NoIndex = 0xffffffffu;
 // or these go with the positions, one for each.
 struct FaceSet {
   std::string name;
-  std::vector<kernel::vec3> positions;
-  std::vector<kernel::vec2> uvs;
-  std::vector<kernel::vec3> normals;  // of any length; zero or not finite counts as missing
+  std::vector<scene::vec3> positions;
+  std::vector<scene::vec2> uvs;
+  std::vector<scene::vec3> normals;  // of any length; zero or not finite counts as missing
   bool uvsGoWithPositions = false;
   bool normalsGoWithPositions = false;
 

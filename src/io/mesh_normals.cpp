@@ -21,9 +21,9 @@ namespace snell::io {
 namespace {
 
 using glm::dvec3;
-using kernel::uvec3;
-using kernel::vec3;
 using scene::Mesh;
+using scene::uvec3;
+using scene::vec3;
 
 using Index = std::uint32_t;
 constexpr Index None = 0xffffffffu;
@@ -202,7 +202,7 @@ void SmoothNormals(Mesh& mesh, float creaseDegrees) {
   for (std::size_t b = 0; b < blocks.size(); ++b)
     offsets[b + 1] = offsets[b] + Index(blocks[b].sources.size());
   std::vector<vec3> positions(offsets.back());
-  std::vector<kernel::vec2> uvs(mesh.uvs.empty() ? 0 : offsets.back());
+  std::vector<scene::vec2> uvs(mesh.uvs.empty() ? 0 : offsets.back());
   mesh.normals.resize(offsets.back());
   tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
     for (std::size_t i = 0; i < blocks[b].sources.size(); ++i) {

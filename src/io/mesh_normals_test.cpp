@@ -17,10 +17,10 @@
 namespace snell::io {
 namespace {
 
-using kernel::uvec3;
-using kernel::vec2;
-using kernel::vec3;
 using scene::Mesh;
+using scene::uvec3;
+using scene::vec2;
+using scene::vec3;
 
 Mesh Cube() {
   Mesh mesh;

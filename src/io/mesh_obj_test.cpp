@@ -8,9 +8,9 @@
 namespace snell::io {
 namespace {
 
-using kernel::vec2;
-using kernel::vec3;
 using scene::Mesh;
+using scene::vec2;
+using scene::vec3;
 
 constexpr const char* Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

@@ -12,9 +12,9 @@
 namespace snell::io {
 namespace {
 
-using kernel::uvec3;
-using kernel::vec2;
-using kernel::vec3;
+using scene::uvec3;
+using scene::vec2;
+using scene::vec3;
 
 MeshResult ReadPlyText(const std::string& text) { return ReadText("test.ply", text); }
 

@@ -20,8 +20,8 @@
 namespace snell::io {
 namespace {
 
-using kernel::uvec3;
-using kernel::vec3;
+using scene::uvec3;
+using scene::vec3;
 
 // Of the binary encoding, in bytes: a header, the count of triangles; normal, three corners, attribute.
 constexpr std::size_t HeaderSize = 80;

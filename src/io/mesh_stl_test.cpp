@@ -12,8 +12,8 @@
 namespace snell::io {
 namespace {
 
-using kernel::uvec3;
-using kernel::vec3;
+using scene::uvec3;
+using scene::vec3;
 
 // The unit cube's corners and triangles, outside out.
 std::vector<vec3> CubeCorners() {

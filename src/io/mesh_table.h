@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/dialect.h"
+#include "scene/scene.h"
 
 namespace snell::io {
 
@@ -30,7 +30,7 @@ inline std::uint64_t HashOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 // of them does not grow without bounds.
 inline std::uint32_t CoordinateBits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); }
 
-inline kernel::uvec3 PositionBits(const kernel::vec3& p) {
+inline scene::uvec3 PositionBits(const scene::vec3& p) {
   return {CoordinateBits(p.x), CoordinateBits(p.y), CoordinateBits(p.z)};
 }
 

@@ -66,7 +66,7 @@ inline MeshResult ReadText(std::string_view name, std::string_view bytes,
 // The sum of the triangles' area vectors: zero for a closed mesh, the area along the normal for a flat one.
 inline glm::dvec3 AreaVector(const scene::Mesh& mesh) {
   glm::dvec3 sum(0.0);
-  for (const kernel::uvec3& t : mesh.triangles) {
+  for (const scene::uvec3& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     sum += 0.5 * glm::cross(b - a, c - a);
   }
@@ -76,7 +76,7 @@ inline glm::dvec3 AreaVector(const scene::Mesh& mesh) {
 // The sum of the triangles' areas; larger than AreaVector's length if some overlap or are turned around.
 inline double Area(const scene::Mesh& mesh) {
   double sum = 0;
-  for (const kernel::uvec3& t : mesh.triangles) {
+  for (const scene::uvec3& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     sum += 0.5 * glm::length(glm::cross(b - a, c - a));
   }
@@ -86,7 +86,7 @@ inline double Area(const scene::Mesh& mesh) {
 // The volume inside of a closed mesh; negative if it is inside out.
 inline double Volume(const scene::Mesh& mesh) {
   double sum = 0;
-  for (const kernel::uvec3& t : mesh.triangles) {
+  for (const scene::uvec3& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     sum += glm::dot(a, glm::cross(b, c)) / 6;
   }
@@ -100,13 +100,13 @@ inline bool IsSound(const scene::Mesh& mesh) {
   if (mesh.triangles.empty() || count == 0) return false;
   if (!mesh.normals.empty() && mesh.normals.size() != count) return false;
   if (!mesh.uvs.empty() && mesh.uvs.size() != count) return false;
-  for (const kernel::uvec3& t : mesh.triangles)
+  for (const scene::uvec3& t : mesh.triangles)
     if (t.x >= count || t.y >= count || t.z >= count) return false;
-  for (const kernel::vec3& p : mesh.positions)
+  for (const scene::vec3& p : mesh.positions)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
-  for (const kernel::vec3& n : mesh.normals)
+  for (const scene::vec3& n : mesh.normals)
     if (!(std::abs(glm::length(n) - 1.0f) < 1e-5f)) return false;
-  for (const kernel::vec2& uv : mesh.uvs)
+  for (const scene::vec2& uv : mesh.uvs)
     if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return false;
   return true;
 }
