@@ -13,6 +13,10 @@ namespace snell::cli {
 
 namespace {
 
+constexpr const char* Details =
+    "Reads each file and says \"ok\", or prints every error and warning with its place. The "
+    "exit status is 1 if a file has errors.";
+
 struct CheckArguments {
   std::vector<std::string> scenes;
 };
@@ -45,12 +49,8 @@ int RunCheck(const CheckArguments& arguments) {
 
 void AddCheckCommand(Program& program) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App& command =
-      AddCommand<CheckArguments>(program, "check", "Check whether scenes are right",
-                                 "Reads each file and says \"ok\", or prints every error and "
-                                 "warning with its place. The exit status is "
-                                 "1 if a file has errors.",
-                                 arguments, RunCheck);
+  CLI::App& command = AddCommand<CheckArguments>(program, "check", "Check whether scenes are right",
+                                                 Details, arguments, RunCheck);
   AddArguments(command, "SCENE", arguments->scenes,
                "Scenes or meshes (" + KnownSceneExtensions() + ")");
 }

@@ -14,6 +14,11 @@ namespace snell::cli {
 
 namespace {
 
+constexpr const char* Details =
+    "Prints the differences between two pictures of the same size. FLIP and PSNR are taken of "
+    "the pictures as they are displayed, the other figures of linear values. With --tolerance "
+    "the exit status is 1 if the pictures are farther apart than that.";
+
 struct CompareArguments {
   std::string reference;
   std::string picture;
@@ -33,12 +38,12 @@ struct Metric {
 
 constexpr Metric Metrics[] = {
     {"flip", "FLIP", &PictureDifference::meanFlip, "",
-     "mean; 0 is equal, 1 the most that can be seen"},
+     "mean, as displayed; 0 is equal, 1 the most"},
     {"rmse", "RMSE", &PictureDifference::rmse, "", "root of the mean squared difference"},
     {"relmse", "relMSE", &PictureDifference::relMse, "",
-     "mean of the squared difference, relative"},
-    {"psnr", "PSNR", &PictureDifference::psnr, " dB", "for a peak of 1; inf is equal"},
-    {"max", "max", &PictureDifference::maxAbs, "", "largest difference in a channel"},
+     "mean of the squared difference relative to the reference"},
+    {"psnr", "PSNR", &PictureDifference::psnr, " dB", "as displayed; inf is equal"},
+    {"max", "max", &PictureDifference::maxAbs, "", "largest difference of a channel"},
 };
 
 const Metric& MetricOf(const CompareArguments& arguments) {
@@ -81,15 +86,10 @@ int RunCompare(const CompareArguments& arguments) {
 
 void AddCompareCommand(Program& program) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App& command =
-      AddCommand<CompareArguments>(program, "compare", "Tell how far two pictures are apart",
-                                   "Prints the differences between two pictures of the same size. "
-                                   "FLIP is taken of the pictures as they "
-                                   "are displayed, the other figures of linear values. With "
-                                   "--tolerance the exit status is 1 if the "
-                                   "pictures are farther apart than that.",
-                                   arguments, RunCompare);
-  AddArgument(command, "REFERENCE", arguments->reference, "A picture (png, jpg, exr, hdr)");
+  CLI::App& command = AddCommand<CompareArguments>(
+      program, "compare", "Tell how far two pictures are apart", Details, arguments, RunCompare);
+  AddArgument(command, "REFERENCE", arguments->reference,
+              "A picture (" + KnownPictureExtensions() + ")");
   AddArgument(command, "PICTURE", arguments->picture, "The picture to compare with it");
   std::string names;
   for (const Metric& metric : Metrics)

@@ -10,6 +10,12 @@ namespace snell::cli {
 
 namespace {
 
+constexpr const char* Details =
+    "Installed with the program; to try it at once:\n\n"
+    "  bash   source <(snell completion bash)\n"
+    "  zsh    source <(snell completion zsh)\n"
+    "  fish   snell completion fish | source";
+
 struct CompletionArguments {
   const CLI::App* program = nullptr;
   std::optional<std::string> shell;
@@ -28,13 +34,9 @@ int RunCompletion(const CompletionArguments& arguments) {
 void AddCompletionCommand(Program& program) {
   const auto arguments = std::make_shared<CompletionArguments>();
   arguments->program = &program.app;
-  CLI::App& command = AddCommand<CompletionArguments>(
-      program, "completion", "Print a completion script for a shell",
-      "Installed with the program; to try it at once:\n\n"
-      "  bash   source <(snell completion bash)\n"
-      "  zsh    source <(snell completion zsh)\n"
-      "  fish   snell completion fish | source",
-      arguments, RunCompletion);
+  CLI::App& command = AddCommand<CompletionArguments>(program, "completion",
+                                                      "Print a completion script for a shell",
+                                                      Details, arguments, RunCompletion);
   AddChoice(command, "SHELL", "bash|zsh|fish", arguments->shell, "The shell")->required();
 }
 

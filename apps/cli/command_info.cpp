@@ -16,6 +16,10 @@ namespace snell::cli {
 
 namespace {
 
+constexpr const char* Details =
+    "Lists cameras, lights, materials, textures, meshes and objects, with the bounds of the "
+    "scene and the memory that a render of it takes.";
+
 constexpr std::size_t ShownItems = 20;  // of each list, for people
 
 struct InfoArguments {
@@ -141,12 +145,8 @@ int RunInfo(const InfoArguments& arguments) {
 
 void AddInfoCommand(Program& program) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App& command =
-      AddCommand<InfoArguments>(program, "info", "Tell what is in a scene",
-                                "Lists cameras, lights, materials, textures, meshes and objects, "
-                                "with the bounds of the scene and the "
-                                "memory that a render of it takes.",
-                                arguments, RunInfo);
+  CLI::App& command = AddCommand<InfoArguments>(program, "info", "Tell what is in a scene", Details,
+                                                arguments, RunInfo);
   AddArgument(command, "SCENE", arguments->scene,
               "A scene or a mesh (" + KnownSceneExtensions() + ")");
   command.option_defaults()->group("Form");

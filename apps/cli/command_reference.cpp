@@ -10,6 +10,10 @@ namespace snell::cli {
 
 namespace {
 
+constexpr const char* Details =
+    "Every key of a native scene file (.toml) with its meaning, unit and default. Editors "
+    "that know JSON Schema complete and check scene files by what --schema prints.";
+
 struct ReferenceArguments {
   bool markdown = false;
   bool schema = false;
@@ -26,12 +30,9 @@ int RunReference(const ReferenceArguments& arguments) {
 
 void AddReferenceCommand(Program& program) {
   const auto arguments = std::make_shared<ReferenceArguments>();
-  CLI::App& command = AddCommand<ReferenceArguments>(
-      program, "reference", "Print the reference of the scene language",
-      "Every key of a native scene file (.toml) with its meaning, unit and default. Editors that "
-      "know JSON "
-      "Schema complete and check scene files by what --schema prints.",
-      arguments, RunReference);
+  CLI::App& command = AddCommand<ReferenceArguments>(program, "reference",
+                                                     "Print the reference of the scene language",
+                                                     Details, arguments, RunReference);
   command.option_defaults()->group("Form");
   AddFlag(command, "--markdown", arguments->markdown,
           "As a page in Markdown, which is the default");

@@ -21,6 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* Details =
+    "Renders SCENE and writes one or more pictures. A mesh is framed by a camera and lit by "
+    "three lights. What the scene says about size and samples is the default of these "
+    "options.\n\n"
+    "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program "
+    "at once.";
+
 ProgressStyle StyleOf(const RenderArguments& arguments) {
   return arguments.quiet ? ProgressStyle::None : SuitableStyle();
 }
@@ -163,14 +170,8 @@ int RunRender(const RenderArguments& arguments) {
 
 void AddRenderCommand(Program& program) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App& command = AddCommand<RenderArguments>(
-      program, "render", "Render a scene or a mesh",
-      "Renders SCENE and writes one or more pictures. A mesh is framed by a camera and lit by "
-      "three lights. "
-      "What the scene says about size and samples is the default of these options.\n\n"
-      "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program at "
-      "once.",
-      arguments, RunRender);
+  CLI::App& command = AddCommand<RenderArguments>(program, "render", "Render a scene or a mesh",
+                                                  Details, arguments, RunRender);
   AddRenderOptions(command, *arguments);
 }
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace snell::cli {
 
@@ -30,7 +32,11 @@ void PrintError(const Error& error) {
   for (const Diagnostic& diagnostic : error.diagnostics()) PrintError(ToString(diagnostic));
 }
 
-void PrintOut(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void PrintOut(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return;
+  throw Error(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+}
 
 std::string Printable(std::string_view text) {
   std::string shown;

@@ -23,7 +23,7 @@ void PrintWarning(const Diagnostic& warning);
 void PrintError(const Error& error);
 void PrintError(std::string_view text);
 
-// Print on the standard output. Run() reports what could not be written.
+// Print on the standard output. Throws Error if that fails, a full disk for example.
 void PrintOut(std::string_view text);
 
 // Control characters other than line ends and tabs shown as "\x1b", so that a file's contents cannot steer

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <new>
 #include <vector>
 
@@ -40,10 +37,25 @@ void Parse(Program& program, const std::vector<std::string>& words) {
   if (!program.run) program.run = [&program] { return PrintHelp(program.app), Succeeded; };
 }
 
-// Carry out the command and turn what it throws into lines and a status.
-int ParseAndRun(Program& program, const std::vector<std::string>& words) {
+}  // namespace
+
+Program::Program()
+    : app("a ray tracer that opens a scene or a mesh and returns a picture", "snell") {
+  app.set_help_flag("-h,--help", "Print this help");
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Snell opens native scenes (.toml), NFF files and bare meshes, and writes PNG, JPEG, HDR and "
+      "EXR. The same scene with the same options gives the same picture, bit for bit, on any "
+      "number of threads.\n\n"
+      "  snell render bunny.ply\n"
+      "      a mesh, framed and lit, becomes bunny.png\n"
+      "  snell render scene.toml -o scene.png -o scene.exr --size 1920x1080 --spp 64\n"
+      "      a scene becomes two pictures, to look at and to work on");
+}
+
+int Run(Program& program, int argc, const char* const* argv) {
   try {
-    Parse(program, words);
+    Parse(program, std::vector<std::string>(argv + (argc > 0), argv + argc));
     return program.run();
   } catch (const UsageError& error) {
     PrintNote(error.what());
@@ -56,34 +68,6 @@ int ParseAndRun(Program& program, const std::vector<std::string>& words) {
     PrintError(error.what());
   }
   return Failed;
-}
-
-}  // namespace
-
-Program::Program()
-    : app("a ray tracer that opens a scene or a mesh and returns a picture", "snell") {
-  app.set_help_flag("-h,--help", "Print this help");
-  app.require_subcommand(0, 1);
-  app.footer(
-      "Snell opens native scenes (.toml), NFF files and bare meshes, and writes PNG, JPEG, HDR and "
-      "EXR. The "
-      "same scene with the same options gives the same picture, bit for bit, on any number of "
-      "threads.\n\n"
-      "  snell render bunny.ply\n"
-      "      a mesh, framed and lit, becomes bunny.png\n"
-      "  snell render scene.toml -o scene.png -o scene.exr --size 1920x1080 --spp 64\n"
-      "      a scene becomes two pictures, to look at and to work on");
-}
-
-int Run(Program& program, int argc, const char* const* argv) {
-  int status = ParseAndRun(program, std::vector<std::string>(argv + (argc > 0), argv + argc));
-  errno = 0;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    PrintError(std::string("cannot write to the standard output") +
-               (errno ? std::string(": ") + std::strerror(errno) : ""));
-    if (status == Succeeded) status = Failed;
-  }
-  return status;
 }
 
 }  // namespace snell::cli

@@ -126,7 +126,7 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   for (const std::string& name : names) {
     if (!seen.insert(fs::path(name).lexically_normal()).second)
       throw UsageError("--output names '" + name + "' twice");
-    Output output{ReadFor<std::string>("--output", ReadPictureName, name), {}};
+    Output output{ReadFor<std::string>("--output", "FILE", ReadPictureName, name), {}};
     // Formats without a choice take what they have
     if (arguments.bits == "16" && LowerExtension(name) == "png") output.options.bits = 16;
     output.options.exrFloat = arguments.exrFloat;

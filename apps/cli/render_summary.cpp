@@ -19,12 +19,16 @@ std::string SamplesText(double samplesPerPixel) {
   return whole ? fmt::format("{:.0f}", samplesPerPixel) : fmt::format("{:.2f}", samplesPerPixel);
 }
 
+static std::string SamplesPerPixel(const RenderReport& report) {
+  const char* noun = report.samplesPerPixel == 1 ? "sample" : "samples";
+  return fmt::format("{} {} per pixel", SamplesText(report.samplesPerPixel), noun);
+}
+
 std::string SummaryText(const RenderSummary& summary) {
   const RenderReport& r = summary.report;
   std::string text =
-      fmt::format("{}: {} × {} pixels, {} samples per pixel; {}, {}\n", summary.scene,
-                  summary.width, summary.height, SamplesText(r.samplesPerPixel), r.device,
-                  Plural(std::uint64_t(r.threads), "thread"));
+      fmt::format("{}: {} × {} pixels, {}; {}, {}\n", summary.scene, summary.width, summary.height,
+                  SamplesPerPixel(r), r.device, Plural(std::uint64_t(r.threads), "thread"));
   text += fmt::format("  time     load {}, prepare {}, build {}, render {}, write {}; {} in all\n",
                       Duration(summary.loadSeconds), Duration(r.prepareSeconds),
                       Duration(r.buildSeconds), Duration(r.renderSeconds),

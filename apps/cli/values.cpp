@@ -121,10 +121,7 @@ std::pair<std::uint32_t, std::uint32_t> ReadSampleRange(const std::string& text)
   return {*first, *last};
 }
 
-std::string ReadText(const std::string& text) {
-  if (text.empty()) throw BadValue("must not be empty");
-  return text;
-}
+std::string ReadText(const std::string& text) { return text; }
 
 std::string ReadPictureName(const std::string& text) {
   const std::vector<std::string> known = Split(KnownPictureExtensions(), ',');
@@ -150,9 +147,9 @@ CLI::Option* AddChoice(CLI::App& command, const std::string& names, const std::s
 CLI::Option* AddValues(CLI::App& command, const std::string& names, const std::string& value,
                        ValueReader<std::string> read, std::vector<std::string>& target,
                        const std::string& text) {
-  const auto take = [read = std::move(read), name = SpokenName(names),
+  const auto take = [read = std::move(read), name = SpokenName(names), value,
                      &target](const CLI::results_t& results) {
-    for (const std::string& result : results) target.push_back(ReadFor(name, read, result));
+    for (const std::string& result : results) target.push_back(ReadFor(name, value, read, result));
     return true;
   };
   return command.add_option(names, take, text)

@@ -41,7 +41,7 @@ std::pair<int, int> ReadSize(const std::string& text);
 std::array<int, 4> ReadCrop(const std::string& text);
 // "A:B", sample numbers; A < B.
 std::pair<std::uint32_t, std::uint32_t> ReadSampleRange(const std::string& text);
-// Any text but the empty one.
+// Any text. (Empty ones reach no reader.)
 std::string ReadText(const std::string& text);
 // The name of a picture to write, with one of the known extensions.
 std::string ReadPictureName(const std::string& text);
@@ -70,9 +70,11 @@ CLI::Option* AddArguments(CLI::App& command, const std::string& name,
 CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& target,
                      const std::string& text);
 
-// Read a value for the option `name` and say what is wrong with it.
+// Read the text that was given for the option `name`, shown as `value`, and say what is wrong with it.
 template <class T>
-T ReadFor(const std::string& name, const ValueReader<T>& read, const std::string& text) {
+T ReadFor(const std::string& name, const std::string& value, const ValueReader<T>& read,
+          const std::string& text) {
+  if (text.empty()) throw UsageError(name + " needs a value: " + name + " " + value);
   try {
     return read(text);
   } catch (const BadValue& bad) {
@@ -86,9 +88,9 @@ std::string SpokenName(const std::string& names);
 template <class T>
 CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::string& value,
                       ValueReader<T> read, std::optional<T>& target, const std::string& text) {
-  const auto take = [read = std::move(read), name = SpokenName(names),
+  const auto take = [read = std::move(read), name = SpokenName(names), value,
                      &target](const CLI::results_t& results) {
-    target = ReadFor(name, read, results.back());
+    target = ReadFor(name, value, read, results.back());
     return true;
   };
   return command.add_option(names, take, text)
