@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "cli/utf8.h"
+
 namespace snell::cli {
 
 namespace {
@@ -40,20 +42,18 @@ void PrintOut(std::string_view text) {
 
 std::string Printable(std::string_view text) {
   std::string shown;
-  shown.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F are control characters too: 0xC2 and then 0x80 to 0x9F in UTF-8
-    const bool isC1 = byte == 0xC2 && i + 1 < text.size() &&
-                      static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
-                      static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (isC1) {
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[++i]));
-    } else if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F) {
-      shown += fmt::format("\\x{:02x}", byte);
-    } else {
-      shown += char(byte);
-    }
+  while (!text.empty()) {
+    const std::size_t length = Utf8Length(text);
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const bool c0 = (byte(0) < 0x20 && byte(0) != '\n' && byte(0) != '\t') || byte(0) == 0x7F;
+    const bool c1 = length == 2 && byte(0) == 0xC2 && byte(1) < 0xA0;  // U+0080 to U+009F
+    if (c1)
+      shown += fmt::format("\\x{:02x}", byte(1));
+    else if (c0 || length == 0)
+      shown += fmt::format("\\x{:02x}", byte(0));
+    else
+      shown += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
   }
   return shown;
 }

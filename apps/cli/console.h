@@ -26,8 +26,8 @@ void PrintError(std::string_view text);
 // Print on the standard output. Throws Error if that fails, a full disk for example.
 void PrintOut(std::string_view text);
 
-// Control characters other than line ends and tabs shown as "\x1b", so that a file's contents cannot steer
-// the terminal.
+// Control characters other than line ends and tabs, and bytes that are not UTF-8, shown as "\x1b": a file's
+// contents cannot steer the terminal.
 std::string Printable(std::string_view text);
 
 }  // namespace snell::cli

@@ -5,33 +5,16 @@
 
 #include <cmath>
 
+#include "cli/utf8.h"
+
 namespace snell::cli {
 
 namespace {
 
-// Bytes of the UTF-8 sequence at the start of `text`; 0 if it is none (RFC 3629, section 4).
-std::size_t SequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char head = byte(0);
-  if (head < 0x80) return 1;
-  const std::size_t length = head >= 0xF5   ? 0
-                             : head >= 0xF0 ? 4
-                             : head >= 0xE0 ? 3
-                             : head >= 0xC2 ? 2
-                                            : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  const bool overlong = (head == 0xE0 && byte(1) < 0xA0) || (head == 0xF0 && byte(1) < 0x90);
-  const bool surrogate = head == 0xED && byte(1) >= 0xA0;
-  const bool beyond = head == 0xF4 && byte(1) >= 0x90;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
 std::string Quote(std::string_view text) {
   std::string quoted = "\"";
   while (!text.empty()) {
-    const std::size_t length = SequenceLength(text);
+    const std::size_t length = Utf8Length(text);
     const char c = text[0];
     if (length == 0)
       quoted += "\xEF\xBF\xBD";

@@ -21,7 +21,7 @@ namespace {
 
 constexpr auto RedrawInterval = std::chrono::milliseconds(100);
 constexpr double EstimateAfter = 0.5;  // seconds until the first estimate of the time left
-constexpr double FirstLineAfter = 1;   // seconds; shorter phases pass without a plain line
+constexpr double LeastInterval = 1;    // seconds; shorter phases pass without a plain line
 constexpr double LineInterval = 10;    // seconds between plain lines, or a tenth of the time so far
 constexpr int LinePercent = 10;
 constexpr std::size_t SmallestBar = 10;  // characters
@@ -164,10 +164,10 @@ void ProgressBar::PrintLineIfDue() {
   const State state = Now();
   const int percent = Percent(std::max(state.fraction, 0.0));
   const bool farther = percent / LinePercent > linePercent_ / LinePercent && percent < 100;
-  const double interval =
-      lineSeconds_ == 0 ? FirstLineAfter : std::max(LineInterval, state.seconds / 10);
-  if (state.seconds < FirstLineAfter) return;
-  if (!farther && state.seconds - lineSeconds_ < interval) return;
+  const bool first = lineSeconds_ == 0;
+  const double since = state.seconds - lineSeconds_;
+  const bool due = since >= std::max(LineInterval, state.seconds / 10);
+  if (since < LeastInterval || !(first || farther || due)) return;
 
   lineSeconds_ = state.seconds;
   linePercent_ = percent;

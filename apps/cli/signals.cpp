@@ -14,9 +14,10 @@ namespace {
 constexpr int StopSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 // What the handler touches: lock-free atomics only.
-StopFlag* stopFlag = nullptr;
+StopFlag stopFlag;
 std::atomic<int> signalThatCame{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers store it");
+bool installed = false;
 
 void SetDefault() {
   for (const int signal : StopSignals) {
@@ -28,16 +29,15 @@ void SetDefault() {
 
 void HandleStop(int signal) {
   signalThatCame = signal;
-  stopFlag->Raise();
+  stopFlag.Raise();
   SetDefault();
 }
 
 }  // namespace
 
 StopOnSignal::StopOnSignal() {
-  CHECK(!stopFlag);
-  stopFlag = new StopFlag;
-  signalThatCame = 0;
+  CHECK(!installed);
+  installed = true;
   for (const int signal : StopSignals) {
     struct sigaction old = {};
     sigaction(signal, nullptr, &old);
@@ -50,13 +50,9 @@ StopOnSignal::StopOnSignal() {
   }
 }
 
-StopOnSignal::~StopOnSignal() {
-  SetDefault();
-  delete stopFlag;
-  stopFlag = nullptr;
-}
+StopOnSignal::~StopOnSignal() { SetDefault(); }
 
-const StopFlag& StopOnSignal::flag() const { return *stopFlag; }
+const StopFlag& StopOnSignal::flag() const { return stopFlag; }
 int StopOnSignal::signal() const { return signalThatCame; }
 
 void IgnoreWriteSignals() {

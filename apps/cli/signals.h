@@ -9,7 +9,7 @@ namespace snell::cli {
 
 // While one lives, the first SIGINT, SIGTERM or SIGHUP raises the flag; the second one ends the program at
 // once, as it does without this. Signals that whoever started the program chose to ignore stay ignored.
-// At most one at a time.
+// One in the life of the program.
 class StopOnSignal {
  public:
   StopOnSignal();

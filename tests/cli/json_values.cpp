@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json_values.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
+#include <string_view>
 
 namespace snell::test {
 
@@ -9,68 +11,95 @@ namespace {
 
 class Parser {
  public:
-  explicit Parser(const std::string& text) : rest_(text.cbegin()), end_(text.cend()) {}
+  explicit Parser(std::string_view text) : rest_(text) {}
 
   bool Parse(JsonValues& values) {
     values_ = &values;
-    return Value("") && (Skip(), rest_ == end_);
+    if (!Value("")) return false;
+    Skip();
+    return rest_.empty();
   }
 
  private:
-  void Skip() {
-    while (rest_ != end_ && std::string(" \t\r\n").find(*rest_) != std::string::npos) ++rest_;
-  }
-  bool Take(char c) {
-    Skip();
-    if (rest_ == end_ || *rest_ != c) return false;
-    ++rest_;
+  void Skip() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size())); }
+  bool TakeHere(std::string_view word) {
+    if (!rest_.starts_with(word)) return false;
+    rest_.remove_prefix(word.size());
     return true;
   }
-  bool Match(const char* pattern, std::string& text) {
+  bool Take(std::string_view word) {
     Skip();
-    std::smatch match;
-    const auto here = std::regex_constants::match_continuous;
-    if (!std::regex_search(rest_, end_, match, std::regex(pattern), here)) return false;
-    text = match.str();
-    rest_ += match.length();
-    return true;
+    return TakeHere(word);
+  }
+  bool Digits() {
+    const std::size_t count = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+    rest_.remove_prefix(count);
+    return count > 0;
+  }
+
+  bool Number() {
+    TakeHere("-");
+    if (!TakeHere("0") && !Digits()) return false;
+    if (TakeHere(".") && !Digits()) return false;
+    if (!TakeHere("e") && !TakeHere("E")) return true;
+    if (!TakeHere("+")) TakeHere("-");
+    return Digits();
   }
   bool String(std::string& text) {
-    if (!Match(R"("([^"\\\x00-\x1f]|\\(["\\/bfnrt]|u[0-9a-fA-F]{4}))*")", text)) return false;
-    text = text.substr(1, text.size() - 2);
+    if (!Take("\"")) return false;
+    const std::string_view start = rest_;
+    while (!rest_.empty() && rest_[0] != '"') {
+      const bool escape = rest_[0] == '\\';
+      if (static_cast<unsigned char>(rest_[0]) < 0x20) return false;
+      rest_.remove_prefix(1);
+      if (escape && !Escape()) return false;
+    }
+    text = start.substr(0, start.size() - rest_.size());
+    return TakeHere("\"");
+  }
+  bool Escape() {
+    if (rest_.empty() || std::string_view("\"\\/bfnrtu").find(rest_[0]) == std::string_view::npos)
+      return false;
+    const std::size_t digits = rest_[0] == 'u' ? 4 : 0;
+    if (rest_.size() <= digits) return false;
+    for (std::size_t i = 1; i <= digits; ++i)
+      if (!std::isxdigit(static_cast<unsigned char>(rest_[i]))) return false;
+    rest_.remove_prefix(1 + digits);
     return true;
   }
 
   bool Value(const std::string& path) {
+    if (Take("{")) return Members(path);
+    if (Take("[")) return Elements(path);
+    const std::string_view start = rest_;
     std::string text;
-    if (Take('{')) return Members(path);
-    if (Take('[')) return Elements(path);
-    if (String(text) || Match(R"(-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?|true|false|null)", text)) {
-      (*values_)[path] = text;
-      return true;
+    if (!String(text)) {
+      const bool word = TakeHere("true") || TakeHere("false") || TakeHere("null");
+      if (!word && !Number()) return false;
+      text = start.substr(0, start.size() - rest_.size());
     }
-    return false;
+    (*values_)[path] = text;
+    return true;
   }
   bool Members(const std::string& path) {
-    if (Take('}')) return true;
+    if (Take("}")) return true;
     do {
       std::string name;
-      if (!String(name) || !Take(':') || !Value(path.empty() ? name : path + "." + name))
+      if (!String(name) || !Take(":") || !Value(path.empty() ? name : path + "." + name))
         return false;
-    } while (Take(','));
-    return Take('}');
+    } while (Take(","));
+    return Take("}");
   }
   bool Elements(const std::string& path) {
-    if (Take(']')) return true;
+    if (Take("]")) return true;
     int index = 0;
     do {
       if (!Value(path + "." + std::to_string(index++))) return false;
-    } while (Take(','));
-    return Take(']');
+    } while (Take(","));
+    return Take("]");
   }
 
-  std::string::const_iterator rest_;
-  std::string::const_iterator end_;
+  std::string_view rest_;
   JsonValues* values_ = nullptr;
 };
 
