@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// All standard headers must come before the macros that make loops count themselves.
+#include "agree/brute_force.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "kernel/dialect.h"
+
+namespace snell::agree {
+
+namespace {
+
+thread_local std::uint32_t loopsOfPixel = 0;
+
+// For the macros: false, and counts.
+inline bool CountLoop() {
+  ++loopsOfPixel;
+  return false;
+}
+
+}  // namespace
+
+}  // namespace snell::agree
+
+// Count each pass through a loop's body
+// clang-format off
+#define for(...) for (__VA_ARGS__) if (snell::agree::CountLoop()) {} else
+#define while(...) while (!snell::agree::CountLoop() && (__VA_ARGS__))
+// clang-format on
+
+#include "kernel/values.h"
+
+namespace snell::agree {
+
+using namespace kernel;
+
+namespace {
+
+struct BruteForceKernel {
+  const RenderParams& params;
+  PrimitiveCounts counts;
+  const Object* objects;
+  const Shape* shapes;
+  const Instance* instances;
+  const Mesh* meshes;
+  const Triangle* triangles;
+  const vec3* positions;
+  const vec3* normals;
+  const vec2* uvs;
+  const Material* materials;
+  const Term* terms;
+  const Texture* textures;
+  const Light* lights;
+  WhittedBranch branches[WhittedStackSize];
+
+#include "gpu/shaders/brute_force.glsl"
+#include "kernel/scene_medium.h"
+#include "kernel/scene_shadow.h"
+#include "kernel/scene_surface.h"
+#include "kernel/scene_texture.h"
+#include "kernel/whitted.h"
+
+  // What whitted.comp's main does.
+  Spectrum Radiance(uvec2 pixel, uint sample) {
+    WhittedState state;
+    WhittedBegin(state, pixel, sample);
+    while (state.alive == 1u) WhittedStep(state);
+    return state.L;
+  }
+};
+
+}  // namespace
+
+}  // namespace snell::agree
+
+#undef for
+#undef while
+
+namespace snell::agree {
+
+PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
+  return {std::uint32_t(scene.shapes.size()), scene.worldTriangles,
+          std::uint32_t(scene.instances.size())};
+}
+
+BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
+  BruteForceKernel kernel{scene.params,           CountsOf(scene),        scene.objects.data(),
+                          scene.shapes.data(),    scene.instances.data(), scene.meshes.data(),
+                          scene.triangles.data(), scene.positions.data(), scene.normals.data(),
+                          scene.uvs.data(),       scene.materials.data(), scene.terms.data(),
+                          scene.textures.data(),  scene.lights.data(),    {}};
+  const uvec2 resolution = scene.params.camera.resolution;
+  BruteForceSample result;
+  for (uint y = 0; y < resolution.y; ++y) {
+    for (uint x = 0; x < resolution.x; ++x) {
+      loopsOfPixel = 0;
+      result.radiance.push_back(kernel.Radiance(uvec2(x, y), sample));
+      result.loops.push_back(loopsOfPixel);
+    }
+  }
+  return result;
+}
+
+}  // namespace snell::agree

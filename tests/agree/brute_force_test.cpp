@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The CPU's BVH against the GPU's plainest search, both in C++, over whole pictures: the same bits. And the
+// loop budget of software drivers: after 65,535 passes through loop bodies Mesa's driver (22.3) ends all
+// loops of an invocation without a word. It runs eight invocations at a time in the lanes of vectors, which
+// pass through a loop together as long as one of them wants to and share the counter, so the sum over such
+// a group bounds what counts.
+#include "agree/brute_force.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "agree/bvh_reference.h"
+#include "agree/difference.h"
+#include "agree/scenes.h"
+
+namespace snell::agree {
+
+namespace {
+
+constexpr std::uint32_t Samples = 4;  // as many as lavapipe_test.cpp compares
+constexpr std::uint32_t LoopBudget = 65535;
+
+constexpr std::size_t GroupSize = 8;  // in a row of a work group; divides the pictures' width
+
+class BruteForce : public testing::TestWithParam<std::string> {
+ protected:
+  cpu::FlatScene Flat() const {
+    const scene::Scene scene = SceneNamed(GetParam());
+    return cpu::Flatten(scene, scene.settings, scene.cameras[0]);
+  }
+};
+
+TEST_P(BruteForce, FindsWhatTheBvhFinds) {
+  cpu::FlatScene scene = Flat();
+  const bvh::Bvh bvh(scene.Geometry());
+  for (std::uint32_t sample = 0; sample < Samples; ++sample) {
+    EXPECT_EQ(Difference("brute force", RenderByBruteForce(scene, sample).radiance, "BVH",
+                         RenderByBvh(scene, bvh, sample), 64),
+              "")
+        << "sample " << sample;
+  }
+}
+
+TEST_P(BruteForce, StaysWithinTheLoopBudget) {
+  const cpu::FlatScene scene = Flat();
+  for (std::uint32_t sample = 0; sample < Samples; ++sample) {
+    const std::vector<std::uint32_t> loops = RenderByBruteForce(scene, sample).loops;
+    for (auto group = loops.begin(); group != loops.end(); group += GroupSize) {
+      const std::size_t pixel = std::size_t(group - loops.begin());
+      ASSERT_LE(std::accumulate(group, group + GroupSize, 0u), LoopBudget)
+          << "sample " << sample << " of the pixels from " << pixel % 64 << "," << pixel / 64;
+      ASSERT_GT(*std::min_element(group, group + GroupSize), 0u) << "loops are not counted";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BruteForce, testing::ValuesIn(SceneNames()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+
+}  // namespace snell::agree

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The Whitted integrator as the CPU device runs it, sample by sample and without a film.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "cpu/flatten.h"
+
+namespace snell::agree {
+
+// Radiance of sample number `sample` of every pixel, row by row from the top. `bvh` is built over the scene.
+std::vector<kernel::Spectrum> RenderByBvh(const cpu::FlatScene& scene, const bvh::Bvh& bvh,
+                                          std::uint32_t sample);
+
+}  // namespace snell::agree

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scenes of agreement use everything that the kernel knows, so that equality there means something. A
+// tag that is new in src/kernel/types.h is missing here until a scene uses it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "agree/scenes.h"
+#include "cpu/flatten.h"
+#include "kernel/values.h"
+#include "scene/validate.h"
+
+namespace snell::agree {
+
+namespace {
+
+using namespace kernel;
+
+using cpu::FlatScene;
+using std::ranges::any_of;
+
+std::vector<FlatScene> FlatScenes() {
+  std::vector<FlatScene> flat;
+  for (const scene::Scene& scene : AllScenes())
+    flat.push_back(cpu::Flatten(scene, scene.settings, scene.cameras[0]));
+  return flat;
+}
+
+// The records of one kind of all scenes.
+template <class T>
+std::vector<T> Every(std::vector<T> FlatScene::*records) {
+  std::vector<T> all;
+  for (const FlatScene& flat : FlatScenes())
+    all.insert(all.end(), (flat.*records).begin(), (flat.*records).end());
+  return all;
+}
+
+// The values that a field has in the records.
+template <class T>
+std::set<uint> Values(const std::vector<T>& records, uint T::*field) {
+  std::set<uint> values;
+  for (const T& record : records) values.insert(record.*field);
+  return values;
+}
+
+// All tags from 0 to `last`.
+std::set<uint> TagsTo(uint last) {
+  std::set<uint> tags;
+  for (uint tag = 0; tag <= last; ++tag) tags.insert(tag);
+  return tags;
+}
+
+bool Mirrored(const Transform& m) { return glm::dot(glm::cross(m.x, m.y), m.z) < 0; }
+
+bool Sheared(const Transform& m) {
+  return std::abs(glm::dot(m.x, m.y)) > 0.01f * glm::length(m.x) * glm::length(m.y);
+}
+
+TEST(Coverage, ScenesAreValid) {
+  for (const scene::Scene& scene : AllScenes()) {
+    EXPECT_NO_THROW(scene::Validate(scene, nullptr)) << scene.name;
+    EXPECT_EQ(scene.settings.width, 64) << scene.name;
+    EXPECT_EQ(scene.settings.height, 64) << scene.name;
+  }
+}
+
+TEST(Coverage, ShapesAndMeshes) {
+  const auto shapes = Every(&FlatScene::shapes);
+  EXPECT_EQ(Values(shapes, &Shape::kind), TagsTo(SHAPE_TORUS));
+  EXPECT_TRUE(any_of(shapes, Mirrored, &Shape::toWorld));
+  EXPECT_TRUE(any_of(shapes, Sheared, &Shape::toWorld));
+  const auto meshes = Every(&FlatScene::meshes);
+  EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.normals == kernel::None; }));
+  EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.normals != kernel::None; }));
+  EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.uvs != kernel::None; }));
+  const auto instances = Every(&FlatScene::instances);
+  EXPECT_TRUE(any_of(instances, Mirrored, &Instance::toWorld));
+  EXPECT_TRUE(any_of(instances, Sheared, &Instance::toWorld));
+}
+
+TEST(Coverage, Visibility) {
+  const auto objects = Every(&FlatScene::objects);
+  for (const uint bit : {MASK_CAMERA, MASK_SECONDARY, MASK_SHADOW, MASK_TINT, MASK_INSIDE}) {
+    const auto marked = [&](const Object& object) { return (object.mask & bit) != 0; };
+    EXPECT_TRUE(any_of(objects, marked)) << "mask bit " << bit;
+    EXPECT_FALSE(std::ranges::all_of(objects, marked)) << "mask bit " << bit;
+  }
+  EXPECT_TRUE(any_of(objects, [](const Object& o) { return o.light != kernel::None; }));
+}
+
+TEST(Coverage, Terms) {
+  const auto terms = Every(&FlatScene::terms);
+  EXPECT_EQ(Values(terms, &Term::kind), TagsTo(TERM_BLINN));
+  for (const uint kind : {TERM_PHONG, TERM_BLINN}) {
+    auto specular = terms;
+    std::erase_if(specular, [&](const Term& term) { return term.kind != kind; });
+    EXPECT_EQ(Values(specular, &Term::normalized), TagsTo(1)) << "term " << kind;
+  }
+}
+
+TEST(Coverage, Materials) {
+  const auto materials = Every(&FlatScene::materials);
+  EXPECT_EQ(Values(materials, &Material::reflection), TagsTo(REFLECTION_SCHLICK));
+  EXPECT_EQ(Values(materials, &Material::refractive), TagsTo(1));
+  EXPECT_EQ(Values(materials, &Material::thin), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.absorption.x > 0; }));
+  for (const auto source : {&Material::emission, &Material::reflectivity, &Material::transparency})
+    EXPECT_TRUE(
+        any_of(materials, [&](const Material& m) { return (m.*source).texture != kernel::None; }));
+}
+
+TEST(Coverage, TexturesInEverySpaceSharpAndSmooth) {
+  std::set<uint> found;
+  for (const Texture& t : Every(&FlatScene::textures))
+    found.insert((t.kind * 3 + t.space) * 2 + t.smoothEdges);
+  EXPECT_EQ(found, TagsTo((TEXTURE_WOOD * 3 + SPACE_WORLD) * 2 + 1));
+}
+
+TEST(Coverage, LightsAndFalloffs) {
+  const auto lights = Every(&FlatScene::lights);
+  EXPECT_EQ(Values(lights, &Light::kind), TagsTo(LIGHT_SPHERE));
+  EXPECT_EQ(Values(lights, &Light::falloff), TagsTo(FALLOFF_INVERSE_SQUARE));
+  EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.range > 0; }));
+  EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.oneMinusCos > 0; }));
+  for (const uint kind : {LIGHT_POINT, LIGHT_SPOT}) {
+    EXPECT_TRUE(any_of(lights, [&](const Light& l) { return l.kind == kind && l.radius > 0; }));
+    EXPECT_TRUE(any_of(lights, [&](const Light& l) { return l.kind == kind && l.radius == 0; }));
+  }
+}
+
+TEST(Coverage, CamerasFiltersAndSurroundings) {
+  std::set<uint> cameras, inside, filters, tinted;
+  bool ambient = false, gradient = false, under = false;
+  for (const FlatScene& flat : FlatScenes()) {
+    const RenderParams& params = flat.params;
+    cameras.insert(params.camera.kind);
+    if (params.camera.inside == 1) inside.insert(params.camera.kind);
+    filters.insert(params.filterKind);
+    tinted.insert(params.tintedShadows);
+    ambient = ambient || params.ambient.x > 0;
+    gradient = gradient || params.environment.bottom != params.environment.top;
+    under = under || params.environment.ior > 1;
+  }
+  EXPECT_EQ(cameras, TagsTo(CAMERA_ORTHOGRAPHIC));
+  EXPECT_EQ(inside, TagsTo(CAMERA_ORTHOGRAPHIC)) << "cameras within glass";
+  EXPECT_EQ(filters, TagsTo(FILTER_BLACKMAN_HARRIS));
+  EXPECT_EQ(tinted, TagsTo(1));
+  EXPECT_TRUE(ambient);
+  EXPECT_TRUE(gradient);
+  EXPECT_TRUE(under) << "surroundings denser than air";
+}
+
+}  // namespace
+
+}  // namespace snell::agree

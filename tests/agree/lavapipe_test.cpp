@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The kernel as GLSL on Mesa's software Vulkan driver against the kernel as C++: the same bits in every pixel
+// of every sample of every scene. On a GPU, whose division and square root need not be exact, only nearly the
+// same picture. Without a device the tests are skipped, or fail if SNELL_REQUIRE_VULKAN is 1.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+
+#include "agree/bvh_reference.h"
+#include "agree/difference.h"
+#include "agree/scenes.h"
+#include "agree/whitted_vulkan.h"
+
+namespace snell::agree {
+
+namespace {
+
+constexpr std::uint32_t Samples = 4;
+
+// Opens the device and compiles the shader once for all scenes.
+class WhittedOnDevice : public testing::TestWithParam<std::string> {
+ protected:
+  static void SetUpTestSuite() {
+    try {
+      device_ = std::make_unique<VulkanDevice>();
+    } catch (const Error& error) {
+      whyNot_ = error.what();
+      return;
+    }
+    whitted_ = std::make_unique<WhittedOnVulkan>(*device_);
+  }
+  static void TearDownTestSuite() {
+    whitted_.reset();
+    device_.reset();
+  }
+
+  void SetUp() override {
+    if (!device_) {
+      const char* required = std::getenv("SNELL_REQUIRE_VULKAN");
+      if (required && std::string_view(required) == "1") FAIL() << whyNot_;
+      GTEST_SKIP() << whyNot_;
+    }
+    ASSERT_TRUE(whitted_) << "the shader did not compile";
+  }
+
+  static inline std::unique_ptr<VulkanDevice> device_;
+  static inline std::unique_ptr<WhittedOnVulkan> whitted_;
+  static inline std::string whyNot_;
+};
+
+TEST_P(WhittedOnDevice, GivesTheCpusPicture) {
+  const scene::Scene source = SceneNamed(GetParam());
+  cpu::FlatScene scene = cpu::Flatten(source, source.settings, source.cameras[0]);
+  const bvh::Bvh bvh(scene.Geometry());
+  whitted_->Upload(scene);
+  for (std::uint32_t sample = 0; sample < Samples; ++sample) {
+    SCOPED_TRACE("sample " + std::to_string(sample));
+    const auto onCpu = RenderByBvh(scene, bvh, sample);
+    const auto onDevice = whitted_->Render(sample);
+    EXPECT_EQ(CountNonFinite(onCpu), 0u);
+    if (device_->software()) {
+      EXPECT_EQ(Difference("CPU", onCpu, device_->name().c_str(), onDevice, 64), "");
+    } else {
+      EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << device_->name();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WhittedOnDevice, testing::ValuesIn(SceneNames()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+
+}  // namespace snell::agree

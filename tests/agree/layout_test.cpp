@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The records of src/kernel/types.h as glslc lays them out in buffers against C++'s layout: every member's
+// name, type and offset, and the distance between elements of arrays, read back from the SPIR-V.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <set>
+
+#include "agree/brute_force.h"
+#include "agree/spirv.h"
+#include "kernel/types.h"
+
+namespace snell::agree {
+
+namespace {
+
+using namespace kernel;
+
+// What GLSL calls a type.
+template <class T>
+const char* NameInGlsl();
+
+#define SNELL_GLSL_NAME(type)      \
+  template <>                      \
+  const char* NameInGlsl<type>() { \
+    return #type;                  \
+  }
+SNELL_GLSL_NAME(float)
+SNELL_GLSL_NAME(int)
+SNELL_GLSL_NAME(uint)
+SNELL_GLSL_NAME(vec2)
+SNELL_GLSL_NAME(vec3)
+SNELL_GLSL_NAME(uvec2)
+SNELL_GLSL_NAME(Camera)
+SNELL_GLSL_NAME(ColorSource)
+SNELL_GLSL_NAME(Environment)
+SNELL_GLSL_NAME(Transform)
+#undef SNELL_GLSL_NAME
+
+struct Record {
+  std::size_t size;
+  std::vector<SpirvMember> members;
+};
+
+#define MEMBER(type, member) \
+  SpirvMember { #member, NameInGlsl < decltype(type::member)>(), offsetof(type, member) }
+
+// What C++ makes of the records that stand in buffers.
+std::map<std::string, Record> RecordsInCpp() {
+  return {
+      {"Transform",
+       {sizeof(Transform),
+        {MEMBER(Transform, x), MEMBER(Transform, y), MEMBER(Transform, z),
+         MEMBER(Transform, origin), MEMBER(Transform, rowX), MEMBER(Transform, rowY),
+         MEMBER(Transform, rowZ)}}},
+      {"ColorSource",
+       {sizeof(ColorSource), {MEMBER(ColorSource, value), MEMBER(ColorSource, texture)}}},
+      {"Object",
+       {sizeof(Object),
+        {MEMBER(Object, material), MEMBER(Object, mask), MEMBER(Object, light),
+         MEMBER(Object, toWorld)}}},
+      {"Shape",
+       {sizeof(Shape),
+        {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, a), MEMBER(Shape, b),
+         MEMBER(Shape, c), MEMBER(Shape, toWorld)}}},
+      {"Triangle",
+       {sizeof(Triangle),
+        {MEMBER(Triangle, v0), MEMBER(Triangle, v1), MEMBER(Triangle, v2),
+         MEMBER(Triangle, mesh)}}},
+      {"Mesh", {sizeof(Mesh), {MEMBER(Mesh, object), MEMBER(Mesh, normals), MEMBER(Mesh, uvs)}}},
+      {"Instance",
+       {sizeof(Instance),
+        {MEMBER(Instance, object), MEMBER(Instance, root), MEMBER(Instance, firstTriangle),
+         MEMBER(Instance, triangleCount), MEMBER(Instance, toWorld)}}},
+      {"Texture",
+       {sizeof(Texture),
+        {MEMBER(Texture, kind), MEMBER(Texture, space), MEMBER(Texture, colorA),
+         MEMBER(Texture, colorB), MEMBER(Texture, turbulence), MEMBER(Texture, octaves),
+         MEMBER(Texture, smoothEdges), MEMBER(Texture, toSpace)}}},
+      {"Term",
+       {sizeof(Term),
+        {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
+         MEMBER(Term, color)}}},
+      {"Material",
+       {sizeof(Material),
+        {MEMBER(Material, firstTerm), MEMBER(Material, termCount), MEMBER(Material, reflection),
+         MEMBER(Material, refractive), MEMBER(Material, thin), MEMBER(Material, priority),
+         MEMBER(Material, ior), MEMBER(Material, absorption), MEMBER(Material, emission),
+         MEMBER(Material, reflectivity), MEMBER(Material, transparency)}}},
+      {"Light",
+       {sizeof(Light),
+        {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
+         MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
+         MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
+         MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
+         MEMBER(Light, factor), MEMBER(Light, range)}}},
+      {"Environment",
+       {sizeof(Environment),
+        {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
+         MEMBER(Environment, sinTop), MEMBER(Environment, ior)}}},
+      {"Camera",
+       {sizeof(Camera),
+        {MEMBER(Camera, kind), MEMBER(Camera, inside), MEMBER(Camera, resolution),
+         MEMBER(Camera, position), MEMBER(Camera, right), MEMBER(Camera, up),
+         MEMBER(Camera, forward), MEMBER(Camera, extent)}}},
+      {"RenderParams",
+       {sizeof(RenderParams),
+        {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
+         MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
+         MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, filterKind),
+         MEMBER(RenderParams, filterRadius), MEMBER(RenderParams, maxDepth),
+         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed)}}},
+      {"PrimitiveCounts",
+       {sizeof(PrimitiveCounts),
+        {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),
+         MEMBER(PrimitiveCounts, instances)}}},
+      {"vec2", {sizeof(vec2), {}}},
+      {"vec3", {sizeof(vec3), {}}},
+  };
+}
+
+#undef MEMBER
+
+// The same list as text, which a failure shows whole.
+std::string Describe(const std::vector<SpirvMember>& members) {
+  std::string text;
+  for (const SpirvMember& member : members)
+    text += fmt::format("{:4} {} {}\n", member.offset, member.type, member.name);
+  return text;
+}
+
+SpirvLayouts WhittedLayouts() { return ReadLayouts(ReadSpirv(SNELL_WHITTED_SPIRV)); }
+
+TEST(Layout, MembersStandWhereCppPutsThem) {
+  std::map<std::string, Record> records = RecordsInCpp();
+  std::size_t found = 0;
+  for (const SpirvStruct& record : WhittedLayouts().structs) {
+    if (record.block) continue;
+    ASSERT_TRUE(records.contains(record.name)) << record.name << " is not in this test's table";
+    EXPECT_EQ(Describe(record.members), Describe(records[record.name].members)) << record.name;
+    ++found;
+  }
+  EXPECT_GE(found, records.size() - 2) << "the shader's buffers lack a record of the table";
+}
+
+TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
+  std::map<std::string, Record> records = RecordsInCpp();
+  std::set<std::string> elements;
+  for (const SpirvRuntimeArray& array : WhittedLayouts().arrays) {
+    ASSERT_TRUE(records.contains(array.element)) << array.element;
+    EXPECT_EQ(array.stride, records[array.element].size) << array.element;
+    elements.insert(array.element);
+  }
+  EXPECT_EQ(elements.size(), 11u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+}
+
+TEST(Layout, BuffersBeginWithTheirContent) {
+  for (const SpirvStruct& block : WhittedLayouts().structs) {
+    if (!block.block) continue;
+    ASSERT_EQ(block.members.size(), 1u) << block.name;
+    EXPECT_EQ(block.members[0].offset, 0u) << block.name;
+  }
+}
+
+}  // namespace
+
+}  // namespace snell::agree

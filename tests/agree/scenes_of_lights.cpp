@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every kind of light, hard and soft, seen and unseen, with every fall-off.
+#include <glm/geometric.hpp>
+
+#include "agree/scene_builder.h"
+#include "agree/scenes.h"
+
+namespace snell::agree {
+
+namespace {
+
+using scene::Falloff;
+using scene::LightKind;
+using scene::Sphere;
+
+scene::Light AreaLight(LightKind kind, vec3 position, float radiance) {
+  scene::Light light;
+  light.kind = kind;
+  light.position = position;
+  light.strength = radiance;
+  light.radius = 0.5f;
+  return light;
+}
+
+// A room's corner with a few things in it that cast shadows.
+SceneBuilder Corner(const char* name) {
+  SceneBuilder builder(name, vec3(0, 2, 7), vec3(0, 0.5f, 0));
+  scene::Material grey = Matte(Spectrum(0.7f));
+  grey.terms.push_back(TermOf(scene::TermKind::Blinn, Spectrum(0.3f), 40, true));
+  const int wall = builder.Add(grey);
+  builder.Place(Sphere{vec3(-1.2f, 0.2f, 0), 0.7f}, wall);
+  builder.Place(scene::Box{vec3(0.5f, -0.5f, -0.5f), vec3(1.4f, 1, 0.3f)}, wall);
+  builder.Place(scene::MeshGeometry{builder.Add(Tetrahedron())}, wall, Move({0, 0.2f, 1.5f}));
+  builder.Place(scene::Plane{vec3(0, 0, -3), vec3(0, 0, 1)}, wall);
+  builder.Floor(-0.5f);
+  return builder;
+}
+
+// Points and spots by each law, with and without a range.
+scene::Scene FalloffLaws() {
+  SceneBuilder builder = Corner("FalloffLaws");
+  const vec3 colors[3] = {{1, 0.4f, 0.3f}, {0.3f, 1, 0.4f}, {0.3f, 0.5f, 1}};
+  const Falloff laws[3] = {Falloff::None, Falloff::Linear, Falloff::InverseSquare};
+  const float strengths[3] = {0.8f, 2, 8};
+  for (int i = 0; i < 3; ++i) {
+    scene::Light point = PointLight(vec3(float(i) * 2 - 2, 3, 2), strengths[i]);
+    point.color = colors[i];
+    point.falloff = laws[i];
+    point.falloffFactor = 0.7f;
+    point.range = i == 0 ? 0 : 4 + float(i);
+    builder.Add(point);
+    scene::Light spot =
+        SpotLight(vec3(float(i) * 2 - 2, 4, 3), vec3(float(i) - 1, 0, 0), 3 * strengths[i]);
+    spot.falloff = laws[i];
+    spot.range = i == 1 ? 8 : 0;
+    spot.innerAngle = i == 2 ? 0.4f : 0.2f;
+    spot.outerAngle = 0.4f;
+    builder.Add(spot);
+  }
+  return builder.Finish();
+}
+
+// The four areas, visible and reflected in a ball.
+scene::Scene AreaLights() {
+  SceneBuilder builder = Corner("AreaLights");
+  builder.Place(Sphere{vec3(1, 0.2f, 2), 0.6f}, builder.Add(Mirror(Spectrum(0.8f))));
+  scene::Light rectangle = AreaLight(LightKind::Rectangle, vec3(-2.5f, 3, 0.5f), 5);
+  rectangle.edgeU = vec3(0, 0, -1);
+  rectangle.edgeV = vec3(1, 0.2f, 0);
+  rectangle.color = {1, 0.8f, 0.6f};
+  builder.Add(rectangle);
+  scene::Light triangle = AreaLight(LightKind::Triangle, vec3(0, 3, 0), 6);
+  triangle.edgeU = vec3(0, 0, -1);
+  triangle.edgeV = vec3(1, 0, 0);
+  builder.Add(triangle);
+  scene::Light disk = AreaLight(LightKind::Disk, vec3(2.5f, 2.5f, 1), 6);
+  disk.direction = glm::normalize(vec3(-1, -1, 0));
+  disk.samples = 3;
+  builder.Add(disk);
+  builder.Add(AreaLight(LightKind::Sphere, vec3(-0.5f, 1.8f, -1.5f), 3));
+  return builder.Finish();
+}
+
+// Areas that nobody sees, by the teaching laws and with ranges; one of them around the scene's middle.
+scene::Scene UnseenAreas() {
+  SceneBuilder builder = Corner("UnseenAreas");
+  const LightKind kinds[4] = {LightKind::Rectangle, LightKind::Triangle, LightKind::Disk,
+                              LightKind::Sphere};
+  for (int i = 0; i < 4; ++i) {
+    scene::Light light = AreaLight(kinds[i], vec3(float(i) * 1.5f - 2.5f, 3, 1), 1.5f);
+    light.visible = false;
+    light.falloff = i % 2 == 0 ? Falloff::Linear : Falloff::None;
+    light.falloffFactor = 1.5f;
+    light.range = i < 2 ? 6 : 0;
+    light.samples = 2;
+    builder.Add(light);
+  }
+  scene::Light around = AreaLight(LightKind::Sphere, vec3(0, 0, 0), 0.1f);
+  around.visible = false;
+  around.radius = 30;
+  builder.Add(around);
+  return builder.Finish();
+}
+
+// Points, spots and the sun with an extent, whose shadows are soft.
+scene::Scene SoftLights() {
+  SceneBuilder builder = Corner("SoftLights");
+  scene::Light point = PointLight(vec3(-2, 3, 2), 12);
+  point.radius = 0.4f;
+  builder.Add(point);
+  scene::Light linear = PointLight(vec3(2, 3, 2), 1);
+  linear.radius = 0.3f;
+  linear.falloff = Falloff::Linear;
+  linear.samples = 2;
+  builder.Add(linear);
+  scene::Light spot = SpotLight(vec3(0, 4, 3), vec3(0, 0, 0), 60);
+  spot.radius = 0.2f;
+  builder.Add(spot);
+  scene::Light sun = SunLight(vec3(1, -2, -1), 1);
+  sun.angularSize = 0.1f;
+  sun.samples = 5;
+  builder.Add(sun);
+  scene::Light low = SunLight(vec3(-1, -0.3f, -0.5f), 0.5f);
+  low.angularSize = 0.009f;
+  builder.Add(low);
+  return builder.Finish();
+}
+
+}  // namespace
+
+std::vector<scene::Scene> ScenesOfLights() {
+  return {FalloffLaws(), AreaLights(), UnseenAreas(), SoftLights()};
+}
+
+}  // namespace snell::agree

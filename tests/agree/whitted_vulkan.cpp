@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "agree/whitted_vulkan.h"
+
+#include <cstring>
+
+#include "agree/brute_force.h"
+#include "agree/spirv.h"
+
+namespace snell::agree {
+
+namespace {
+
+constexpr std::uint32_t BufferCount = 15;  // src/gpu/shaders/buffers.glsl, and the radiance
+constexpr std::uint32_t GroupSize = 8;     // local_size_x and local_size_y
+
+template <class T>
+std::span<const std::byte> Bytes(const std::vector<T>& array) {
+  return std::as_bytes(std::span(array));
+}
+
+template <class T>
+std::span<const std::byte> BytesOf(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+}  // namespace
+
+WhittedOnVulkan::WhittedOnVulkan(const VulkanDevice& device)
+    : device_(device),
+      program_(device, WithNoContraction(ReadSpirv(SNELL_WHITTED_SPIRV)), BufferCount) {}
+
+void WhittedOnVulkan::Upload(const cpu::FlatScene& scene) {
+  resolution_ = scene.params.camera.resolution;
+  const std::size_t pixels = std::size_t(resolution_.x) * resolution_.y;
+  const PrimitiveCounts counts = CountsOf(scene);
+  buffers_.clear();
+  for (const std::span<const std::byte> content :
+       {BytesOf(scene.params), BytesOf(counts), Bytes(scene.objects), Bytes(scene.shapes),
+        Bytes(scene.instances), Bytes(scene.meshes), Bytes(scene.triangles), Bytes(scene.positions),
+        Bytes(scene.normals), Bytes(scene.uvs), Bytes(scene.materials), Bytes(scene.terms),
+        Bytes(scene.textures), Bytes(scene.lights)})
+    buffers_.emplace_back(device_, content);
+  buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
+  program_.Bind(buffers_);
+}
+
+std::vector<kernel::Spectrum> WhittedOnVulkan::Render(std::uint32_t sample) {
+  // A pixel that the shader does not write must not pass for one of an earlier sample
+  std::vector<kernel::Spectrum> radiance(std::size_t(resolution_.x) * resolution_.y);
+  const std::size_t bytes = radiance.size() * sizeof(kernel::Spectrum);
+  std::byte* const data = buffers_.back().data();
+  std::memset(data, 0xff, bytes);
+  program_.Run((resolution_.x + GroupSize - 1) / GroupSize,
+               (resolution_.y + GroupSize - 1) / GroupSize, sample);
+  std::memcpy(radiance.data(), data, bytes);
+  return radiance;
+}
+
+}  // namespace snell::agree

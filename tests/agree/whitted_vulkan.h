@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The Whitted integrator on a Vulkan device: src/gpu/shaders/whitted.comp over the buffers of a flattened
+// scene, one sample of every pixel a dispatch.
+#pragma once
+
+#include <vector>
+
+#include "agree/vulkan.h"
+#include "cpu/flatten.h"
+
+namespace snell::agree {
+
+class WhittedOnVulkan {
+ public:
+  // Compiles the shader, with NoContraction on its arithmetic. Throws Error, as all functions do.
+  explicit WhittedOnVulkan(const VulkanDevice& device);
+
+  // Copy the scene to the device.
+  void Upload(const cpu::FlatScene& scene);
+
+  // Radiance of sample number `sample` of every pixel of the scene, row by row from the top.
+  std::vector<kernel::Spectrum> Render(std::uint32_t sample);
+
+ private:
+  const VulkanDevice& device_;
+  VulkanProgram program_;
+  std::vector<VulkanBuffer> buffers_;  // by binding
+  kernel::uvec2 resolution_{0u, 0u};
+};
+
+}  // namespace snell::agree
