@@ -34,9 +34,9 @@ int RunHelp(const HelpArguments& arguments) {
 }
 
 int PrintVersion() {
-  const std::vector<std::string> sets = InstructionSets();
   PrintOut(fmt::format("snell {}\nbuild: {}\ninstruction sets: {} (used: {})\n", Version(),
-                       BuildDescription(), fmt::join(sets, ", "), sets.back()));
+                       BuildDescription(), fmt::join(InstructionSets(), ", "),
+                       ActiveInstructionSet()));
   return Succeeded;
 }
 

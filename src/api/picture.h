@@ -40,8 +40,8 @@ SNELL_EXPORT std::string KnownPictureExtensions();
 // Read PNG, JPEG, EXR or HDR, by content. Throws Error.
 SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);
 
-// How far a picture is from a reference of the same size. All in linear radiance but FLIP, which is of the
-// pictures as displayed (Andersson et al. 2020).
+// How far a picture is from a reference of the same size: RMSE, relMSE and the largest difference in linear
+// radiance; PSNR and FLIP (Andersson et al. 2020) of the pictures as displayed.
 struct PictureDifference {
   double rmse = 0;
   double relMse = 0;  // mean of (a − b)² / (a² + 0.01)

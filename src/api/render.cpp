@@ -8,6 +8,7 @@
 #include "scene/validate.h"
 #include "util/text.h"
 #include "util/threads.h"
+#include "util/timer.h"
 
 namespace snell {
 
@@ -59,6 +60,18 @@ render::PixelRect RectOf(const scene::RenderSettings& settings, const RenderOpti
     throw Error(fmt::format("the crop {},{},{},{} is empty or outside the picture of {}×{} pixels",
                             x0, y0, x1, y1, settings.width, settings.height));
   return rect;
+}
+
+// Refuse a picture that memory cannot hold before any is taken: the film, and copies for output.
+void CheckMemory(const render::PixelRect& rect) {
+  constexpr std::uint64_t BytesPerPixel = 16 + 12 + 12;
+  const std::uint64_t pixels = std::uint64_t(rect.Width()) * std::uint64_t(rect.Height());
+  const std::uint64_t available = AvailableMemoryBytes();
+  if (available > 0 && pixels * BytesPerPixel > available)
+    throw Error(
+        fmt::format("a picture of {}×{} pixels needs {} of memory; {} are available", rect.Width(),
+                    rect.Height(), ByteSize(pixels * BytesPerPixel), ByteSize(available)),
+        {}, "choose a smaller size, or render it in parts with a crop");
 }
 
 RenderReport ReportOf(const render::Statistics& statistics, const render::RenderRequest& request,
@@ -117,6 +130,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   }
 
   const ThreadLimit limit(options.threads);
+  CheckMemory(request.rect);
   render::Film film(request.rect);
   cpu::CpuRenderer renderer;
   const render::Statistics statistics = renderer.Render(contents, request, film, progress, stop);

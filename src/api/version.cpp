@@ -27,4 +27,6 @@ std::vector<std::string> InstructionSets() {
   return names;
 }
 
+std::string ActiveInstructionSet() { return std::string(bvh::NameOf(bvh::BestInstructionSet())); }
+
 }  // namespace snell

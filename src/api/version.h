@@ -14,7 +14,9 @@ namespace snell {
 SNELL_EXPORT std::string Version();
 // Compiler and build type.
 SNELL_EXPORT std::string BuildDescription();
-// Instruction sets of the BVH that this processor runs, slowest first; the last one is used.
+// Instruction sets of the BVH that this processor runs, slowest first.
 SNELL_EXPORT std::vector<std::string> InstructionSets();
+// The one that is used.
+SNELL_EXPORT std::string ActiveInstructionSet();
 
 }  // namespace snell

@@ -73,20 +73,25 @@ fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::str
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
-  temporary_ = path_;
-  temporary_ += fmt::format(".partial-{}", ::getpid());
-  if (fs::is_directory(path_)) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path_, ignored);
+  if (fs::is_directory(status)) {
     errno = EISDIR;
     Fail("write");
   }
-  stream_ = std::fopen(temporary_.c_str(), "wb");
+  target_ = fs::is_symlink(path_, ignored) ? fs::weakly_canonical(path_, ignored) : path_;
+  if (!fs::exists(status) || fs::is_regular_file(status)) {
+    temporary_ = target_;
+    temporary_ += fmt::format(".partial-{}", ::getpid());
+  }
+  stream_ = std::fopen(temporary_.empty() ? target_.c_str() : temporary_.c_str(), "wb");
   if (!stream_) Fail("write");
 }
 
 AtomicFile::~AtomicFile() {
   if (!stream_) return;
   std::fclose(stream_);
-  ::unlink(temporary_.c_str());
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 void AtomicFile::Write(const void* bytes, std::size_t size) {
@@ -94,10 +99,15 @@ void AtomicFile::Write(const void* bytes, std::size_t size) {
 }
 
 void AtomicFile::Commit() {
-  if (std::fflush(stream_) != 0 || ::fsync(::fileno(stream_)) != 0) Fail("write");
+  if (std::fflush(stream_) != 0) Fail("write");
+  if (!temporary_.empty() && ::fsync(::fileno(stream_)) != 0) Fail("write");
   std::FILE* stream = stream_;
   stream_ = nullptr;
-  if (std::fclose(stream) != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (temporary_.empty()) {
+    if (std::fclose(stream) != 0) Fail("write");
+    return;
+  }
+  if (std::fclose(stream) != 0 || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
     const int cause = errno;
     ::unlink(temporary_.c_str());
     errno = cause;

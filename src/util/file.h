@@ -28,8 +28,9 @@ std::filesystem::path ConfinedPath(const std::filesystem::path& root,
                                    const std::filesystem::path& fromFolder, std::string_view name);
 
 // A file that appears under its name only when it is complete: written to "NAME.partial-PID" in the
-// same folder, flushed to disk and renamed by Commit(); removed if the writer is destroyed before.
-// Every function throws Error with the name and the system's reason.
+// same folder, flushed to disk and renamed by Commit(); removed if the writer is destroyed before. A
+// symbolic link stays one, what it leads to is replaced. What is no regular file, such as a device or a
+// pipe, is written to directly. Every function throws Error with the name and the system's reason.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -44,8 +45,9 @@ class AtomicFile {
  private:
   [[noreturn]] void Fail(const char* verb);
 
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  std::filesystem::path path_;       // as given, for messages
+  std::filesystem::path target_;     // where links lead
+  std::filesystem::path temporary_;  // empty: written directly
   std::FILE* stream_ = nullptr;
 };
 

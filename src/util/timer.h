@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wall-clock time and the memory high-water mark of this process.
+// Wall-clock time, and the memory that this process has taken and could take.
 #pragma once
 
 #include <chrono>
@@ -21,5 +21,8 @@ class Timer {
 
 // Largest resident memory of this process so far, in bytes; 0 where the system does not tell.
 std::uint64_t PeakMemoryBytes();
+
+// Memory that can still be taken without swapping, in bytes; 0 where the system does not tell.
+std::uint64_t AvailableMemoryBytes();
 
 }  // namespace snell
