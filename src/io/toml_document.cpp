@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "io/toml_limits.h"
 #include "io/toml_sections.h"
@@ -63,11 +65,10 @@ namespace {
 // Reads files in the order main file, its first include with all of that's includes, and so on.
 class DocumentReader {
  public:
-  DocumentReader(Reader& reader, const fs::path& sceneFile)
-      : reader_(reader), root_(sceneFile.parent_path()) {}
+  explicit DocumentReader(Reader& reader) : reader_(reader) {}
 
-  void ReadFile(const fs::path& path) {
-    const std::string text = snell::ReadFile(path, MaxTomlBytes - bytes_);
+  void AddFile(const fs::path& path) {
+    const std::string text = ReadFile(path, MaxTomlBytes - bytes_);
     bytes_ += text.size();
     reader_.files.push_back(path.string());
     document.files.push_back(ParseToml(text, path.string()));
@@ -91,7 +92,7 @@ class DocumentReader {
   // --- Includes
 
   void ReadIncludes(const Node& include) {
-    reader_.key = "include";
+    const KeyScope scope(reader_, "include");
     if (include.String()) return ReadInclude(include);
     if (!include.IsArray()) {
       reader_.Refuse(include, "a file name or a list of file names");
@@ -101,7 +102,6 @@ class DocumentReader {
   }
 
   void ReadInclude(const Node& name) {
-    reader_.key = "include";
     fs::path path;
     if (!reader_.FindFile(name, path)) {
       reader_.filesMissing = true;
@@ -117,7 +117,7 @@ class DocumentReader {
       reader_.filesMissing = true;
     } else if (done_.insert(real).second) {
       try {
-        ReadFile(path);
+        AddFile(path);
       } catch (const Error& error) {
         ReportFileError(error, name.place());
       }
@@ -232,7 +232,6 @@ class DocumentReader {
   }
 
   Reader& reader_;
-  fs::path root_;
   std::uint64_t bytes_ = 0;
   std::vector<std::string> open_;
   std::set<std::string> done_;
@@ -243,8 +242,8 @@ class DocumentReader {
 }  // namespace
 
 Document ReadDocument(Reader& reader, const fs::path& sceneFile) {
-  DocumentReader document(reader, sceneFile);
-  document.ReadFile(sceneFile);
+  DocumentReader document(reader);
+  document.AddFile(sceneFile);
   return std::move(document.document);
 }
 

@@ -29,8 +29,7 @@ const Mistake Keys[] = {
      "3:3: unknown key 'position' in [[object]] (sphere); did you mean 'center'?"},
     {"[[object]]\nshape = \"box\"\nradius = 2",
      "3:1: unknown key 'radius' in [[object]] (box); it belongs to shape \"sphere\", shape "
-     "\"disk\", "
-     "shape \"cylinder\" or shape \"cone\""},
+     "\"disk\", shape \"cylinder\" or shape \"cone\""},
     {"[[object]]\nshape = \"box\"\nqwertyuiop = 2",
      "3:1: unknown key 'qwertyuiop' in [[object]] (box)"},
     {"[[object]]\nshap = \"sphere\"",
@@ -47,8 +46,7 @@ const Mistake Keys[] = {
      "3:1: unknown key 'intensity' in [[light]] (sphere); did you mean 'radiance'?"},
     {"[[light]]\ncolor = 1",
      "1:1: missing key 'type' in [[light]]; choose one of \"ambient\", \"directional\", \"point\", "
-     "\"spot\", "
-     "\"rectangle\", \"triangle\", \"disk\", \"sphere\""},
+     "\"spot\", \"rectangle\", \"triangle\", \"disk\", \"sphere\""},
     {"[[light]]\ntype = \"rectangle\"\ncorner = [0, 0, 0]\nedge_u = [1, 0, 0]",
      "1:1: missing key 'edge_v' in [[light]] (rectangle)"},
     {"[camera]\nlook_at = [0, 0, 0]\ndirection = [0, 0, -1]",
@@ -78,6 +76,8 @@ const Mistake Keys[] = {
     {"[material.x]\nterms = [{ type = \"diffuse\", exponent = 3 }]",
      "2:30: unknown key 'exponent' in term (diffuse); it belongs to type \"phong\" or type "
      "\"blinn\""},
+    {"[material.x]\nterms = [{ type = \"diffuse\" }, 5]",
+     "2:32: 'terms': expected { type, color, … }, found 5"},
     {"[texture.a]\ntype = \"checker\"\noctaves = 3",
      "3:1: unknown key 'octaves' in [texture.a] (checker); it belongs to type \"marble\" or type "
      "\"wood\""},
@@ -117,8 +117,7 @@ const Mistake Values[] = {
      "2:9: 'shape': unknown choice 'sphree'; did you mean 'sphere'?"},
     {"[[object]]\nshape = 7",
      "2:9: 'shape': expected one of \"sphere\", \"plane\", \"triangle\", \"rectangle\", \"disk\", "
-     "\"box\", "
-     "\"cylinder\", \"cone\", \"torus\", found 7"},
+     "\"box\", \"cylinder\", \"cone\", \"torus\", found 7"},
     {"[[object]]\nshape = \"sphere\"\ncasts_shadow = 1",
      "3:16: 'casts_shadow': expected true or false, found 1"},
     {"[[object]]\nshape = \"sphere\"\nname = 1979-05-27",
@@ -178,8 +177,7 @@ const Mistake Values[] = {
      "3:11: 'diffuse': '#12345g' is no colour; colours are [r, g, b], one number or \"#rrggbb\""},
     {"[material.x]\ntype = \"phong\"\ndiffuse = true",
      "3:11: 'diffuse': expected a colour from 0 to 1 or a texture, found true; colours are [r, g, "
-     "b], one "
-     "number or \"#rrggbb\""},
+     "b], one number or \"#rrggbb\""},
     {"[material.x]\ntype = \"phong\"\ndiffuse = { texture = \"wood\", tint = 2 }",
      "3:38: 'tint': expected a number from 0 to 1, found 2"},
     {"[material.x]\nemission = -1", "2:12: 'emission': expected a number >= 0, found -1"},
@@ -240,8 +238,7 @@ const Mistake Names[] = {
      "2:10: 'preset': unknown choice 'plstic'; did you mean 'plastic'?"},
     {"[material.x]\npreset = 3",
      "2:10: 'preset': expected one of \"glass\", \"water\", \"diamond\", \"mirror\", \"chrome\", "
-     "\"gold\", "
-     "\"plastic\", \"rubber\", found 3"},
+     "\"gold\", \"plastic\", \"rubber\", found 3"},
     {"[material.x]\ntype = \"phong\"\ndiffuse = \"chekcer\"",
      "3:11: unknown texture 'chekcer'; did you mean 'checker'?"},
     {"[material.x]\ntype = \"phong\"\ndiffuse = \"red\"",
@@ -357,14 +354,11 @@ attenuation_color = "#80ff80"
       scene.warnings,
       (std::vector<std::string>{
           "scene.toml:1:1: the material 'glass' refracts, but this object has no inside; set 'thin "
-          "= true' in "
-          "the material, or use a closed shape",
+          "= true' in the material, or use a closed shape",
           "scene.toml:4:1: the material 'glass' refracts, but this object has no inside; set 'thin "
-          "= true' in "
-          "the material, or use a closed shape",
+          "= true' in the material, or use a closed shape",
           "scene.toml:14:1: the material 'white' gives back more light than it receives: its "
-          "diffuse and "
-          "normalized specular colours add up to 1.2; make the sum 1 or less",
+          "diffuse and normalized specular colours add up to 1.2; make the sum 1 or less",
           "scene.toml:21:21: 'attenuation_color' has no effect without 'attenuation_distance'"}));
 }
 

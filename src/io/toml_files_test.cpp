@@ -42,7 +42,7 @@ TEST(TomlIncludes, GiveWayToTheFileThatNamesThem) {
   EXPECT_EQ(read.settings.spp, 4);
   EXPECT_EQ(read.settings.maxDepth, 3);
   ASSERT_EQ(read.cameras.size(), 1u);
-  EXPECT_EQ(read.cameras[0].lookAt, scene::vec3(0, 0, 4));
+  EXPECT_EQ(read.cameras[0].lookAt, scene::vec3(0, 0, 0));
   EXPECT_NEAR(read.cameras[0].fov, 0.349066f, 1e-6);
   EXPECT_EQ(read.environment.top, scene::vec3(1.0f));
 }
@@ -101,8 +101,7 @@ TEST(TomlIncludes, ReportTheirMistakesBehindThoseOfTheFile) {
   EXPECT_EQ(scene.Errors(),
             (Lines{"scene.toml:1:12: there is no file 'none.toml'",
                    "scene.toml:4:9: 'shape': expected one of \"sphere\", \"plane\", \"triangle\", "
-                   "\"rectangle\", "
-                   "\"disk\", \"box\", \"cylinder\", \"cone\", \"torus\", found 1",
+                   "\"rectangle\", \"disk\", \"box\", \"cylinder\", \"cone\", \"torus\", found 1",
                    "bad.toml:2:7: 'spp': expected a whole number from 1 to 1048576, found -2",
                    "syntax.toml:2:7: syntax error in value: could not determine value type"}));
 }

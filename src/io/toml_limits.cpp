@@ -13,12 +13,18 @@ namespace snell::io {
 
 namespace {
 
+// Of a bare key, a number or a date.
+bool IsWord(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '+';
+}
+
 // Goes over the characters once and keeps count of what is limited.
 class LimitScanner {
  public:
   LimitScanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   void Scan() {
+    if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // a byte order mark
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '#') {
@@ -48,22 +54,50 @@ class LimitScanner {
         break;
       case '[':
       case '{':
-        if (++open_ > MaxBrackets)
+        open_ += c;
+        if (open_.size() > MaxBrackets)
           Fail(fmt::format("lists and tables are nested more than {} deep", MaxBrackets));
-        if (open_ == 1) inHeader_ = c == '[' && atLineStart_;
+        if (open_.size() == 1) inHeader_ = c == '[' && atLineStart_;
+        if (inHeader_) CheckHeader();
         EndKey(false);
         break;
       case ']':
       case '}':
         EndKey(inHeader_);
         inHeader_ = false;
-        if (open_ > 0) --open_;
+        CloseBracket(c);
         break;
       case '=': EndKey(dots_ > 0); break;
       case ',': EndKey(false); break;
-      default: break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x80) FailAtCharacter();
+        break;
     }
     if (c != ' ' && c != '\t' && c != '\n') atLineStart_ = false;
+  }
+
+  void CloseBracket(char c) {
+    const char opening = c == ']' ? '[' : '{';
+    if (open_.empty() || open_.back() != opening)
+      Fail(fmt::format("syntax error: '{}' without '{}' before it", c, opening));
+    open_.pop_back();
+  }
+
+  // toml++ 3.3 takes for granted that a key follows the bracket of a header.
+  void CheckHeader() const {
+    const std::size_t next = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
+    const char c = next < text_.size() ? text_[next] : '\n';
+    const bool isKey = IsWord(c) || c == '"' || c == '\'' || c == ']';
+    const bool isSecond = c == '[' && open_.size() == 1 && next == at_ + 1;
+    if (!isKey && !isSecond)
+      Fail("syntax error in table header: expected a name after the bracket");
+  }
+
+  // Outside strings and comments TOML is ASCII; toml++ 3.3 is not sure what it makes of the rest.
+  [[noreturn]] void FailAtCharacter() const {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xc0) == 0x80) ++end;
+    Fail(fmt::format("unexpected character '{}' outside a string", text_.substr(at_, end - at_)));
   }
 
   // Start the next key; the last one, if it made tables, adds to the parser's searches.
@@ -81,6 +115,7 @@ class LimitScanner {
 
   // Go behind the string that starts here; one that is never closed ends with its line or the text.
   void SkipString(char quote) {
+    if (at_ > 0 && IsWord(text_[at_ - 1])) Fail("syntax error: a quotation mark within a word");
     const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
     const bool multiLine = text_.substr(at_, 3) == three;
     at_ += multiLine ? 3 : 1;
@@ -121,7 +156,7 @@ class LimitScanner {
   std::size_t at_ = 0;
   std::size_t keyStart_ = 0;
   int dots_ = 0;
-  int open_ = 0;
+  std::string open_;  // brackets and braces
   bool atLineStart_ = true;
   bool inHeader_ = false;
   std::uint64_t tableCount_ = 0;

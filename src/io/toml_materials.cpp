@@ -83,7 +83,7 @@ static std::shared_ptr<const toml::node> ApplyPreset(Reader& reader, Fields& fie
   if (!preset) {
     std::vector<std::string> names;
     for (const Preset& one : Presets()) names.emplace_back(one.name);
-    reader.key = "preset";
+    const KeyScope scope(reader, "preset");
     ReadWord(reader, base->value, names);
     good = false;
     return nullptr;

@@ -6,9 +6,9 @@
 
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/toml_meshes.h"
@@ -56,7 +56,7 @@ class Reader {
   std::map<std::string, scene::MaterialIndex, std::less<>> materials;
   std::map<std::string, int, std::less<>> groups;
   std::vector<std::string> files;  // in the order in which findings are sorted
-  std::string key;                 // being read, for messages
+  std::string key;                 // being read, for messages: see KeyScope
   bool filesMissing = false;       // a file could not be read: unknown names say nothing
 
  private:
@@ -66,6 +66,20 @@ class Reader {
   std::vector<Diagnostic> findings_;
   std::size_t findingCount_ = 0;
   std::vector<Diagnostic> warnings_;
+};
+
+// Says for messages which key is being read while it lives.
+class KeyScope {
+ public:
+  KeyScope(Reader& reader, std::string_view key)
+      : reader_(reader), outer_(std::exchange(reader.key, std::string(key))) {}
+  ~KeyScope() { reader_.key = std::move(outer_); }
+  KeyScope(const KeyScope&) = delete;
+  KeyScope& operator=(const KeyScope&) = delete;
+
+ private:
+  Reader& reader_;
+  std::string outer_;
 };
 
 // A name from a file for a message: at most 60 characters, without control characters.

@@ -89,9 +89,16 @@ height = 7
   EXPECT_EQ(scene.cameras[0].lookAt, vec3(4, 5, 6));
   EXPECT_FLOAT_EQ(scene.cameras[0].fov, 90 * Degree);
   EXPECT_EQ(scene.cameras[1].kind, scene::CameraKind::Orthographic);
-  EXPECT_EQ(scene.cameras[1].lookAt, vec3(0, 8, 0));
+  EXPECT_EQ(scene.cameras[1].lookAt, vec3(0, 0, 0));
   EXPECT_EQ(scene.cameras[1].height, 7);
   EXPECT_FLOAT_EQ(Read("[camera]\n").cameras.at(0).fov, 40 * Degree);
+}
+
+TEST(TomlScene, KeepsTheDigitsOfDirectionsFarAway) {
+  const scene::Camera camera =
+      Read("[camera]\nposition = [1e5, 1e5, 1e5]\ndirection = [0.01, 0, -1]\n").cameras.at(0);
+  const vec3 way = camera.lookAt - camera.position;
+  EXPECT_NEAR(way.x / way.z, -0.01f, 1e-6);
 }
 
 TEST(TomlScene, ReadsTheEnvironment) {

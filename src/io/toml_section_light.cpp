@@ -283,6 +283,10 @@ static double UniformScale(const Affine& map) {
   return equal && square ? scale : 0;
 }
 
+static bool IsFinite(const vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, const Place& place,
                 Light& light) {
   light = draft.light;
@@ -295,6 +299,11 @@ bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, 
 
     // Mirroring would turn the lit side: exchange the edges, and a triangle's corners with them
     if (glm::determinant(glm::dmat3(toWorld)) < 0) std::swap(light.edgeU, light.edgeV);
+
+    if (!IsFinite(light.position) || !IsFinite(light.edgeU) || !IsFinite(light.edgeV)) {
+      reader.Report("the light is moved out of all bounds by its groups", place);
+      return false;
+    }
 
     const bool round = light.radius > 0;
     const double scale = UniformScale(toWorld);

@@ -139,10 +139,10 @@ static MaterialKeys ReflectionKeys() {
       {Field("reflectivity", &Material::reflectivity, Reflectance(),
              "How much the surface mirrors.")
            .Not({"reflectance", "mirror", "reflective"}),
-       Field("reflection", &Material::reflection, models,
-             "How `reflectivity` changes with the angle: not at all, as a factor of Fresnel's "
-             "reflectance for `ior`, or rising from its value at normal incidence to 1 "
-             "(Schlick).")});
+       Field(
+           "reflection", &Material::reflection, models,
+           "How `reflectivity` changes with the angle: not at all, as a factor of Fresnel's "
+           "reflectance for `ior`, or rising from its value at normal incidence to 1 (Schlick).")});
 }
 
 static MaterialKeys TransparencyKeys() {

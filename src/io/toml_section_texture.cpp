@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <glm/matrix.hpp>
-#include <utility>
 
 #include "io/toml_sections.h"
 
@@ -90,8 +89,7 @@ const SectionOf<TextureDraft>& TextureSection() {
       SectionOf<TextureDraft>(
           "texture", "[texture.NAME]",
           "A pattern of two colours, placed so that one unit is one period. Its name can stand "
-          "where "
-          "a material takes a colour. Each type is also ready for use under its own name: "
+          "where a material takes a colour. Each type is also ready for use under its own name: "
           "`diffuse = \"marble\"`. In `uv`, planes are measured in metres, triangles by their own "
           "coordinates, and all other shapes from 0 to 1: for a ball with many squares, scale the "
           "pattern down or use `space = \"object\"`.",
@@ -179,10 +177,8 @@ bool ReadTintedTexture(Reader& reader, const Node& table, Brightness brightness,
   if (!ReadTable(reader, TintSection(), fields, tint)) return false;
   if (const Node::Entry* entry = fields.Find("tint");
       entry && brightness == Brightness::Reflectance) {
-    const std::string outer = std::exchange(reader.key, "tint");
-    const bool good = Color(brightness).read(reader, entry->value, tint.color);
-    reader.key = outer;
-    if (!good) return false;
+    const KeyScope scope(reader, "tint");
+    if (!Color(brightness).read(reader, entry->value, tint.color)) return false;
   }
   input = {tint.color, tint.texture};
   return true;

@@ -63,7 +63,7 @@ class TableReader {
       if (variant.name.empty()) return variant_ = &variant, true;
       names.push_back(variant.name);
     }
-    reader_.key = chosen->name;
+    const KeyScope scope(reader_, chosen->name);
     const int index = ReadWord(reader_, chosen->value, names);
     for (const Variant& variant : section_.variants)
       if (index >= 0 && variant.name == names[std::size_t(index)]) variant_ = &variant;
@@ -97,9 +97,8 @@ class TableReader {
     const bool isSelector = variant_ && entry.name == variant_->selector;
     if (!key && !isSelector) return ReportUnknown(entry);
     if (!key || !key->read) return;
-    const std::string outer = std::exchange(reader_.key, key->name);
+    const KeyScope scope(reader_, key->name);
     key->read(reader_, entry.value, record);
-    reader_.key = outer;
   }
 
   void CheckEither(const Either& either) {

@@ -249,8 +249,8 @@ TEST(TomlGroups, RefuseWhatCannotBePlaced) {
       "1e-9\n";
   EXPECT_EQ(TestScene(tiny).Errors(),
             std::vector<std::string>{
-                "scene.toml:4:1: the transforms of the groups around this object cannot be "
-                "used: it scales by 1e-18; the limits are 1e-15 and 1e+15"});
+                "scene.toml:4:1: the transforms of the groups around this object cannot be used: "
+                "it scales by 1e-18; the limits are 1e-15 and 1e+15"});
 }
 
 TEST(TomlGroups, StayWithinTheirLimits) {
