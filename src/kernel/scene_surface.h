@@ -57,8 +57,11 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     vec3 local = it.p;
     it.object = instance.object;
     it.p = ToWorldPoint(instance.toWorld, local);
-    it.pError = ToWorldPointError(instance.toWorld, local, it.pError, it.p);
-    it.n = ToWorldNormal(instance.toWorld, it.n);
+    vec3 n = ToWorldNormal(instance.toWorld, it.n);
+    float nLength = Length(n);
+    it.pError = ToWorldPointError(instance.toWorld, local, it.pError, it.p) +
+                Abs(n) * (ToLocalError(instance.toWorld, it.p, it.n, nLength) / nLength);
+    it.n = n;
     it.ns = ToWorldNormal(instance.toWorld, it.ns);
     it.dpdu = ToWorldVector(instance.toWorld, it.dpdu);
   }

@@ -42,12 +42,8 @@ FN SurfaceInteraction ShapeSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
     case SHAPE_ELLIPSOID: local = SphereSurface(ray.o, ray.d, 1.0f, t); break;
     case SHAPE_DISK: local = DiskSurface(ray.o, ray.d, t); break;
     case SHAPE_BOX: local = BoxSurface(ray.o, ray.d, t); break;
-    case SHAPE_FRUSTUM:
-      local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, true, t);
-      break;
-    case SHAPE_TUBE:
-      local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, false, t);
-      break;
+    case SHAPE_FRUSTUM: local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t); break;
+    case SHAPE_TUBE: local = TubeSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t); break;
     case SHAPE_TORUS: local = TorusSurface(ray.o, ray.d, shape.a, shape.b, t); break;
     default: local = FlatSurface(ray.o, ray.d, t); break;
   }
@@ -55,9 +51,24 @@ FN SurfaceInteraction ShapeSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
   SurfaceInteraction it;
   it.t = t;
   it.p = ToWorldPoint(shape.toWorld, local.p);
-  it.pError = ToWorldPointError(shape.toWorld, local.p, local.error, it.p);
-  it.n = Normalize(ToWorldNormal(shape.toWorld, local.n));
+  vec3 n = ToWorldNormal(shape.toWorld, local.n);
+  float nLength = Length(n);
+  it.n = n / nLength;
   it.ns = it.n;
+  it.pError = ToWorldPointError(shape.toWorld, local.p, local.error, it.p) +
+              Abs(it.n) * ToLocalError(shape.toWorld, it.p, local.n, nLength);
+
+  // Keep as far from edges as rounding and the way off the surface may move a ray's start
+  bool round = shape.kind == SHAPE_FRUSTUM || shape.kind == SHAPE_TUBE;
+  if (shape.kind == SHAPE_BOX || round) {
+    vec3 reach = it.pError + Abs(it.n) * Dot(Abs(it.n), it.pError);
+    vec3 margin =
+        3.0f * vec3(Dot(Abs(shape.toWorld.rowX), reach), Dot(Abs(shape.toWorld.rowY), reach),
+                    Dot(Abs(shape.toWorld.rowZ), reach));
+    vec3 inset = round ? InsetFrustumPoint(local.p, local.n, shape.a, shape.b, shape.c, margin)
+                       : InsetBoxPoint(local.p, local.n, margin);
+    it.p = ToWorldPoint(shape.toWorld, inset);
+  }
   it.dpdu = ToWorldVector(shape.toWorld, local.dpdu);
   it.uv = local.uv;
   it.object = shape.object;

@@ -35,30 +35,47 @@ FN float IntersectBox(vec3 o, vec3 d) {
 }
 
 FN LocalSurface BoxSurface(vec3 o, vec3 d, float t) {
+  // Find the face that ends the interval: the last one on the way in, the first one on the way out
+  vec2 x = SlabInterval(o.x, d.x, -1.0f, 1.0f);
+  vec2 y = SlabInterval(o.y, d.y, -1.0f, 1.0f);
+  vec2 z = SlabInterval(o.z, d.z, -1.0f, 1.0f);
+  bool enters = Max(x.x, Max(y.x, z.x)) > 0.0f;
+  vec3 order = enters ? vec3(x.x, y.x, z.x) : vec3(-x.y, -y.y, -z.y);
+  bool faceX = order.x >= order.y && order.x >= order.z;
+  bool faceY = !faceX && order.y >= order.z;
+  float side = CopySign(1.0f, faceX ? d.x : (faceY ? d.y : d.z)) * (enters ? -1.0f : 1.0f);
+
   LocalSurface s;
   s.p = o + t * d;
+  s.p = vec3(Clamp(s.p.x, -1.0f, 1.0f), Clamp(s.p.y, -1.0f, 1.0f), Clamp(s.p.z, -1.0f, 1.0f));
   s.error = vec3(0.0f, 0.0f, 0.0f);
-  vec3 a = Abs(s.p);
-  if (a.x >= a.y && a.x >= a.z) {
-    float side = CopySign(1.0f, s.p.x);
+  if (faceX) {
     s.p.x = side;
     s.n = vec3(side, 0.0f, 0.0f);
     s.dpdu = vec3(0.0f, 0.0f, -2.0f * side);
     s.uv = vec2(0.5f - 0.5f * side * s.p.z, 0.5f + 0.5f * s.p.y);
-  } else if (a.y >= a.z) {
-    float side = CopySign(1.0f, s.p.y);
+  } else if (faceY) {
     s.p.y = side;
     s.n = vec3(0.0f, side, 0.0f);
     s.dpdu = vec3(2.0f, 0.0f, 0.0f);
     s.uv = vec2(0.5f + 0.5f * s.p.x, 0.5f - 0.5f * side * s.p.z);
   } else {
-    float side = CopySign(1.0f, s.p.z);
     s.p.z = side;
     s.n = vec3(0.0f, 0.0f, side);
     s.dpdu = vec3(2.0f * side, 0.0f, 0.0f);
     s.uv = vec2(0.5f + 0.5f * side * s.p.x, 0.5f + 0.5f * s.p.y);
   }
   return s;
+}
+
+// The point p of the face with normal n, moved away from the face's edges by `margin` per coordinate, so that
+// a ray that starts there and goes in starts inside of the other faces too.
+FN vec3 InsetBoxPoint(vec3 p, vec3 n, vec3 margin) {
+  vec3 limit =
+      vec3(Max(1.0f - margin.x, 0.0f), Max(1.0f - margin.y, 0.0f), Max(1.0f - margin.z, 0.0f));
+  return vec3(n.x != 0.0f ? p.x : Clamp(p.x, -limit.x, limit.x),
+              n.y != 0.0f ? p.y : Clamp(p.y, -limit.y, limit.y),
+              n.z != 0.0f ? p.z : Clamp(p.z, -limit.z, limit.z));
 }
 
 KERNEL_END

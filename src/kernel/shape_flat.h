@@ -14,7 +14,8 @@ KERNEL_BEGIN
 // The hit with y = 0, or −1 for rays that are parallel to it or leave it.
 FN float IntersectPlane(vec3 o, vec3 d) {
   if (d.y == 0.0f) return -1.0f;
-  return -o.y / d.y;
+  float t = -o.y / d.y;
+  return t < Infinite ? t : -1.0f;
 }
 
 FN float IntersectRectangle(vec3 o, vec3 d) {

@@ -20,25 +20,26 @@ struct ConeRoots {
   float tSmall;
   float tLarge;
   bool exist;
+  bool inside;  // F(0) < 0: o is inside the cone or its mirror image beyond the apex
 };
 
 FN ConeRoots IntersectCone(vec3 o, vec3 d, float r0, float k) {
   ConeRoots roots;
   float radius = r0 + k * o.y;
   float slope = k * d.y;
-  float flat2 = d.x * d.x + d.z * d.z;
-  float approach = o.x * d.x + o.z * d.z;
-  roots.a = flat2 - slope * slope;
-  roots.b = approach - radius * slope;
+  roots.a = (d.x * d.x + d.z * d.z) - slope * slope;
+  roots.b = (o.x * d.x + o.z * d.z) - radius * slope;
   float c = (o.x * o.x + o.z * o.z) - radius * radius;
+  roots.inside = c < 0.0f;
 
-  // The discriminant is the same from every point of the ray: take the one nearest to the axis
-  float tClosest = flat2 > 0.0f ? -approach / flat2 : 0.0f;
-  vec3 q = o + tClosest * d;
-  float closestRadius = r0 + k * q.y;
-  float closestB = (q.x * d.x + q.z * d.z) - closestRadius * slope;
-  float closestC = (q.x * q.x + q.z * q.z) - closestRadius * closestRadius;
-  float discriminant = closestB * closestB - roots.a * closestC;
+  // Of two equal forms of the discriminant take that with the smaller terms: b² − a·c, or by Lagrange's
+  // identity a difference of two squares that are the same at every point of the ray
+  float mx = radius * d.x - slope * o.x;
+  float mz = radius * d.z - slope * o.z;
+  float m2 = mx * mx + mz * mz;
+  float b2 = roots.b * roots.b;
+  float cross = o.x * d.z - o.z * d.x;
+  float discriminant = m2 < b2 ? m2 - cross * cross : b2 - roots.a * c;
 
   // A ray steeper than the cone always meets both of its halves
   roots.exist = discriminant >= 0.0f || roots.a < 0.0f;
@@ -48,14 +49,43 @@ FN ConeRoots IntersectCone(vec3 o, vec3 d, float r0, float k) {
   return roots;
 }
 
-FN float IntersectFrustum(vec3 o, vec3 d, float r0, float r1, float height) {
+// Where to begin on a ray: at its origin, or, if that is far away, at the point nearest to the middle of the
+// frustum, so that distance costs no digits.
+FN float FrustumStart(vec3 o, vec3 d, float r0, float r1, float height) {
+  vec3 toMiddle = vec3(-o.x, 0.5f * height - o.y, -o.z);
+  float reach = 4.0f * (r0 + r1 + height);
+  return LengthSquared(toMiddle) <= reach * reach ? 0.0f : Dot(toMiddle, d) / Dot(d, d);
+}
+
+// Where a ray meets a closed frustum, and on which of its faces.
+CONST uint FRUSTUM_SIDE = 0u;
+CONST uint FRUSTUM_BOTTOM = 1u;
+CONST uint FRUSTUM_TOP = 2u;
+struct FrustumHit {
+  float t;  // ≤ 0: no hit
+  uint face;
+};
+
+FN FrustumHit FindFrustumHit(vec3 origin, vec3 d, float r0, float r1, float height) {
+  FrustumHit hit;
+  hit.t = -1.0f;
+  hit.face = FRUSTUM_SIDE;
+  float start = FrustumStart(origin, d, r0, r1, height);
+  if (start < 0.0f) return hit;
+  vec3 o = origin + start * d;
   float k = (r1 - r0) / height;
   ConeRoots roots = IntersectCone(o, d, r0, k);
-  if (!roots.exist) return -1.0f;
   vec2 slab = SlabInterval(o.y, d.y, 0.0f, height);
   float first = Min(roots.tSmall, roots.tLarge);
   float last = Max(roots.tSmall, roots.tLarge);
-  if (roots.a < 0.0f) {
+  if (start == 0.0f && roots.inside && o.y >= 0.0f && o.y <= height) {
+    // From inside the way out is the first root ahead, whatever rounding says of the others
+    float steep = roots.a > 0.0f ? 0.0f : Infinite;
+    last = first > 0.0f ? first : (last > 0.0f ? last : steep);
+    first = -Infinite;
+  } else if (!roots.exist) {
+    return hit;
+  } else if (roots.a < 0.0f) {
     // Inside the cone beyond its roots: after the last if the cone widens along the ray, else before the
     // first
     if (k * d.y > 0.0f) {
@@ -67,57 +97,116 @@ FN float IntersectFrustum(vec3 o, vec3 d, float r0, float r1, float height) {
     }
   } else if (roots.a == 0.0f && roots.b == 0.0f) {
     // Parallel to the axis of a cylinder: inside all along or never
-    bool inside = o.x * o.x + o.z * o.z <= r0 * r0;
-    if (!inside) return -1.0f;
+    if (!roots.inside) return hit;
     first = -Infinite;
     last = Infinite;
   }
-  return FirstOfInterval(Max(first, slab.x), Min(last, slab.y));
+
+  // The ray enters by the later and leaves by the earlier of side and disks
+  float enter = Max(first, slab.x);
+  float leave = Min(last, slab.y);
+  if (enter > leave) return hit;
+  if (start + enter > 0.0f) {
+    hit.t = start + enter;
+    if (slab.x >= first) hit.face = d.y > 0.0f ? FRUSTUM_BOTTOM : FRUSTUM_TOP;
+  } else if (start + leave > 0.0f) {
+    hit.t = start + leave;
+    if (slab.y <= last) hit.face = d.y > 0.0f ? FRUSTUM_TOP : FRUSTUM_BOTTOM;
+  }
+  return hit;
 }
 
-FN float IntersectTube(vec3 o, vec3 d, float r0, float r1, float height) {
-  ConeRoots roots = IntersectCone(o, d, r0, (r1 - r0) / height);
-  if (!roots.exist) return -1.0f;
+FN float IntersectFrustum(vec3 o, vec3 d, float r0, float r1, float height) {
+  return FindFrustumHit(o, d, r0, r1, height).t;
+}
+
+FN float IntersectTube(vec3 origin, vec3 d, float r0, float r1, float height) {
+  float start = FrustumStart(origin, d, r0, r1, height);
+  if (start < 0.0f) return -1.0f;
+  vec3 o = origin + start * d;
+  float k = (r1 - r0) / height;
+  ConeRoots roots = IntersectCone(o, d, r0, k);
+  bool parallel = roots.a == 0.0f && roots.b == 0.0f;
+  if (!roots.exist || parallel) return -1.0f;
   float first = Min(roots.tSmall, roots.tLarge);
   float last = Max(roots.tSmall, roots.tLarge);
+  if (roots.a < 0.0f) {
+    // One of the roots is on the mirror image beyond the apex
+    if (k * d.y > 0.0f) {
+      first = last;
+    } else {
+      last = first;
+    }
+  }
   float y = o.y + first * d.y;
-  if (first > 0.0f && y >= 0.0f && y <= height) return first;
+  if (start + first > 0.0f && y >= 0.0f && y <= height) return start + first;
   y = o.y + last * d.y;
-  return last > 0.0f && last < Infinite && y >= 0.0f && y <= height ? last : -1.0f;
+  if (start + last > 0.0f && last < Infinite && y >= 0.0f && y <= height) return start + last;
+  return -1.0f;
 }
 
-FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, bool closed,
-                               float t) {
+// The surface of a disk that closes a frustum; `side` is 1 at the top and −1 at the bottom.
+FN LocalSurface FrustumDiskSurface(vec3 p, float y, float radius, float side) {
   LocalSurface s;
-  s.p = o + t * d;
+  s.p = vec3(p.x, y, p.z);
+  s.error = vec3(0.0f, 0.0f, 0.0f);
+  s.n = vec3(0.0f, side, 0.0f);
+  s.dpdu = vec3(2.0f * radius, 0.0f, 0.0f);
+  s.uv = vec2(0.5f + 0.5f * p.x / radius, 0.5f - 0.5f * side * p.z / radius);
+  return s;
+}
+
+// The side of a frustum or a tube.
+FN LocalSurface FrustumSideSurface(vec3 p, float r0, float r1, float height) {
+  LocalSurface s;
   float k = (r1 - r0) / height;
-  float fromAxis = sqrt(s.p.x * s.p.x + s.p.z * s.p.z);
-  float sideDistance = abs(fromAxis - (r0 + k * s.p.y)) / sqrt(1.0f + k * k);
-  float bottomDistance = abs(s.p.y);
-  float topDistance = abs(s.p.y - height);
-  if (closed && Min(bottomDistance, topDistance) < sideDistance) {
-    bool top = topDistance < bottomDistance;
-    float side = top ? 1.0f : -1.0f;
-    float radius = top ? r1 : r0;
-    s.p.y = top ? height : 0.0f;
-    s.error = vec3(0.0f, 0.0f, 0.0f);
-    s.n = vec3(0.0f, side, 0.0f);
-    s.dpdu = vec3(2.0f * radius, 0.0f, 0.0f);
-    s.uv = vec2(0.5f + 0.5f * s.p.x / radius, 0.5f - 0.5f * side * s.p.z / radius);
-    return s;
-  }
+  float fromAxis = sqrt(p.x * p.x + p.z * p.z);
+  vec3 outward = fromAxis > 0.0f ? vec3(p.x, 0.0f, p.z) / fromAxis : vec3(0.0f, 0.0f, 1.0f);
 
   // Put the point back onto the side, at its height
-  float radius = Max(r0 + k * s.p.y, 0.0f);
-  float scale = fromAxis > 0.0f ? radius / fromAxis : 0.0f;
-  s.p = vec3(s.p.x * scale, s.p.y, s.p.z * scale);
-  s.error = Abs(s.p) * Gamma(8.0f) + vec3(1.0f, 0.0f, 1.0f) * ((r0 + abs(k * s.p.y)) * Gamma(4.0f));
-  vec3 outward = fromAxis > 0.0f ? vec3(o.x + t * d.x, 0.0f, o.z + t * d.z) / fromAxis
-                                 : vec3(0.0f, 0.0f, 1.0f);
+  float y = Clamp(p.y, 0.0f, height);
+  float radius = Max(r0 + k * y, 0.0f);
+  s.p = vec3(outward.x * radius, y, outward.z * radius);
+  s.error = Abs(s.p) * Gamma(8.0f) + vec3(1.0f, 0.0f, 1.0f) * (Max(r0, r1) * Gamma(4.0f));
   s.n = vec3(outward.x, -k, outward.z);
   s.dpdu = vec3(s.p.z, 0.0f, -s.p.x) * (2.0f * Pi);
-  s.uv = vec2(0.5f + Atan2(outward.x, outward.z) * Inv2Pi, s.p.y / height);
+  s.uv = vec2(0.5f + Atan2(outward.x, outward.z) * Inv2Pi, y / height);
   return s;
+}
+
+FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, float t) {
+  vec3 p = o + t * d;
+  uint face = FindFrustumHit(o, d, r0, r1, height).face;
+  if (face == FRUSTUM_BOTTOM && r0 > 0.0f) return FrustumDiskSurface(p, 0.0f, r0, -1.0f);
+  if (face == FRUSTUM_TOP && r1 > 0.0f) return FrustumDiskSurface(p, height, r1, 1.0f);
+  return FrustumSideSurface(p, r0, r1, height);
+}
+
+FN LocalSurface TubeSurface(vec3 o, vec3 d, float r0, float r1, float height, float t) {
+  return FrustumSideSurface(o + t * d, r0, r1, height);
+}
+
+// The point p of a closed frustum, with its normal n, moved away from rims and apex by `margin` per
+// coordinate, so that a ray that starts there and goes in starts inside.
+FN vec3 InsetFrustumPoint(vec3 p, vec3 n, float r0, float r1, float height, vec3 margin) {
+  float k = (r1 - r0) / height;
+  float sideways = Max(margin.x, margin.z) + abs(k) * margin.y;
+  if (n.x == 0.0f && n.z == 0.0f) {
+    // On a disk: towards the axis
+    float fromAxis = sqrt(p.x * p.x + p.z * p.z);
+    float limit = Max((n.y > 0.0f ? r1 : r0) - sideways, 0.0f);
+    float scale = fromAxis > limit ? limit / fromAxis : 1.0f;
+    return vec3(p.x * scale, p.y, p.z * scale);
+  }
+  // On the side: along it, between the disks and to where the cone is thick enough, also for starts that
+  // move sideways along its curve
+  float lower = margin.y;
+  float upper = height - margin.y;
+  if (k > 0.0f) lower = Max(lower, (4.0f * sideways - r0) / k);
+  if (k < 0.0f) upper = Min(upper, (4.0f * sideways - r0) / k);
+  float y = lower < upper ? Clamp(p.y, lower, upper) : 0.5f * height;
+  float radius = r0 + k * y;
+  return vec3(n.x * radius, y, n.z * radius);
 }
 
 KERNEL_END

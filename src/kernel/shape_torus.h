@@ -69,12 +69,17 @@ FN float IntersectTorus(vec3 o, vec3 d, float major, float minor) {
   // Measure along the ray from its point nearest to the centre, in units of length
   float speed = Length(d);
   vec3 w = d / speed;
-  float sOrigin = Dot(o, w);
-  vec3 q = o - sOrigin * w;
+  float sFar = Dot(o, w);
+  vec3 rough = o - sFar * w;
+  // A second step gives back the digits that a far origin has cost
+  float sNear = Dot(rough, w);
+  vec3 q = rough - sNear * w;
+  float sOrigin = sFar + sNear;
   float m = Dot(q, q);
-  float reach2 = Sqr(major + minor) - m;
+  // A slightly larger sphere around all makes sure that its rim is outside
+  float reach2 = Sqr(1.0001f * (major + minor)) - m;
   if (reach2 <= 0.0f) return -1.0f;
-  float reach = sqrt(reach2) * (1.0f + 1e-5f);
+  float reach = sqrt(reach2);
   float start = Max(sOrigin, -reach);
   if (start >= reach) return -1.0f;
 
@@ -112,7 +117,7 @@ FN float IntersectTorus(vec3 o, vec3 d, float major, float minor) {
     float fNext = TorusDistance(q + knots[i] * w, major, minor);
     if ((f > 0.0f) != (fNext > 0.0f)) {
       float root = TorusRootInBracket(q, w, major, minor, s, knots[i], f, fNext);
-      return (root - sOrigin) / speed;
+      return ((root - sNear) - sFar) / speed;
     }
     s = knots[i];
     f = fNext;
@@ -124,7 +129,8 @@ FN LocalSurface TorusSurface(vec3 o, vec3 d, float major, float minor, float t) 
   LocalSurface s;
   vec3 p = o + t * d;
   float fromAxis = sqrt(p.x * p.x + p.z * p.z);
-  vec3 middle = vec3(p.x, 0.0f, p.z) * (major / fromAxis);
+  vec3 outward = fromAxis > 0.0f ? vec3(p.x, 0.0f, p.z) / fromAxis : vec3(0.0f, 0.0f, 1.0f);
+  vec3 middle = outward * major;
   s.n = Normalize(p - middle);
   s.p = middle + minor * s.n;
   s.error = Abs(s.p) * Gamma(8.0f) + vec3(1.0f, 1.0f, 1.0f) * (major * Gamma(8.0f));

@@ -30,13 +30,21 @@ FN Ray ToLocalRay(IN(Transform) m, vec3 o, vec3 d) {
 }
 
 // Bound, per coordinate, of the error of ToWorldPoint(m, p) when p is itself off by at most `error`.
-// `world` is the result. The constant leaves room for the rounding when a ray that starts there is
-// mapped back into the local space.
+// `world` is the result.
 FN vec3 ToWorldPointError(IN(Transform) m, vec3 p, vec3 error, vec3 world) {
   vec3 local = Abs(m.x) * (abs(p.x) * Gamma(8.0f) + error.x) +
                Abs(m.y) * (abs(p.y) * Gamma(8.0f) + error.y) +
                Abs(m.z) * (abs(p.z) * Gamma(8.0f) + error.z);
   return local + Abs(world) * Gamma(4.0f);
+}
+
+// How far a point near `world` seems to move, along the world's normal of a surface, when it is mapped back
+// into the local space with rounding. `n` is the surface's local normal and `nLength` the length of
+// ToWorldNormal(m, n).
+FN float ToLocalError(IN(Transform) m, vec3 world, vec3 n, float nLength) {
+  vec3 q = Abs(world - m.origin);
+  vec3 local = vec3(Dot(Abs(m.rowX), q), Dot(Abs(m.rowY), q), Dot(Abs(m.rowZ), q)) * Gamma(6.0f);
+  return Dot(Abs(n), local) / nLength;
 }
 
 KERNEL_END

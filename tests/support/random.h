@@ -59,11 +59,12 @@ class Random {
   }
   // A direction on the side of n; every fourth one grazes the plane.
   glm::dvec3 DirectionAbove(glm::dvec3 n) {
+    n = glm::normalize(n);
     glm::dvec3 w = Direction();
     if (glm::dot(w, n) < 0) w = -w;
     if (Bits() % 4 != 0) return w;
-    const glm::dvec3 flat = w - n * glm::dot(w, n);
-    return glm::normalize(glm::normalize(flat) + n * LogUniform(1e-6, 1e-1));
+    const glm::dvec3 flat = glm::normalize(w - n * glm::dot(w, n));
+    return glm::normalize(flat + n * LogUniform(1e-6, 1e-1));
   }
 
  private:

@@ -62,4 +62,14 @@ inline glm::dvec3 ExactToLocal(const kernel::Transform& m, glm::dvec3 p) {
   return ExactToLocalVector(m, p - glm::dvec3(m.origin));
 }
 
+
+// How unevenly the map stretches: 1 for similarities, about the ratio of the largest to the smallest stretch.
+inline double Stretch(const kernel::Transform& m) {
+  const auto squares = [](kernel::vec3 a, kernel::vec3 b, kernel::vec3 c) {
+    const glm::dvec3 x(a), y(b), z(c);
+    return glm::dot(x, x) + glm::dot(y, y) + glm::dot(z, z);
+  };
+  return std::sqrt(squares(m.x, m.y, m.z) * squares(m.rowX, m.rowY, m.rowZ)) / 3;
+}
+
 }  // namespace snell::test
