@@ -22,11 +22,23 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   it.t = th.t;
   it.object = mesh.object;
   it.p = p0 * th.b0 + p1 * th.b1 + p2 * th.b2;
-  vec3 size = Abs(p0 * th.b0) + Abs(p1 * th.b1) + Abs(p2 * th.b2);
-  it.pError = size * Gamma(16.0f);
+  it.pError = (Abs(p0 * th.b0) + Abs(p1 * th.b1) + Abs(p2 * th.b2)) * Gamma(16.0f);
   vec3 e1 = p1 - p0;
   vec3 e2 = p2 - p0;
   it.n = Cross(e1, e2);
+
+  // Keep as far from edges as rounding may move a ray's start
+  vec3 reach = it.pError;
+  if (instanced) {
+    LET(Instance) placed = instances[hit.instance];
+    vec3 world = ToWorldPoint(placed.toWorld, it.p);
+    vec3 error = ToWorldPointError(placed.toWorld, it.p, it.pError, world);
+    reach = vec3(Dot(Abs(placed.toWorld.rowX), error), Dot(Abs(placed.toWorld.rowY), error),
+                 Dot(Abs(placed.toWorld.rowZ), error));
+  }
+  vec3 inset = InsetTrianglePoint(vec3(th.b0, th.b1, th.b2), p0, p1, p2,
+                                  4.0f * (reach.x + reach.y + reach.z));
+  it.p = p0 * inset.x + p1 * inset.y + p2 * inset.z;
 
   // Interpolate what the vertices bring; where they bring normals, these say which side is outside
   it.ns = it.n;

@@ -112,6 +112,18 @@ FN TriangleHit IntersectTriangle(IN(ShearedRay) ray, vec3 v0, vec3 v1, vec3 v2) 
   return hit;
 }
 
+// Barycentric coordinates moved so far into the triangle that the point keeps `margin` from the edges, so
+// that rays which start there are on the right side of the neighbours in corners too. In a triangle that is
+// too small for that, the middle of its inscribed circle.
+FN vec3 InsetTrianglePoint(vec3 b, vec3 p0, vec3 p1, vec3 p2, float margin) {
+  vec3 edges = vec3(Length(p2 - p1), Length(p2 - p0), Length(p1 - p0));
+  float area2 = Length(Cross(p1 - p0, p2 - p0));
+  float perimeter = edges.x + edges.y + edges.z;
+  vec3 least = edges * Min(margin / Max(area2, 1e-36f), 1.0f / perimeter);
+  vec3 c = vec3(Max(b.x, least.x), Max(b.y, least.y), Max(b.z, least.z));
+  return c / (c.x + c.y + c.z);
+}
+
 KERNEL_END
 
 #endif

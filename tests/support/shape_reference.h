@@ -22,7 +22,8 @@ using glm::dvec3;
 struct Crossing {
   double t;
   double cosine;  // between the line and the normal, ≥ 0
-  double margin;  // distance from the nearest rim or edge; negative beyond it, where there is no surface
+  double
+      margin;  // distance from the nearest rim or edge; negative beyond it, where there is no surface
   double radius;  // of the surface's strongest curvature there
 };
 

@@ -62,7 +62,6 @@ inline glm::dvec3 ExactToLocal(const kernel::Transform& m, glm::dvec3 p) {
   return ExactToLocalVector(m, p - glm::dvec3(m.origin));
 }
 
-
 // How unevenly the map stretches: 1 for similarities, about the ratio of the largest to the smallest stretch.
 inline double Stretch(const kernel::Transform& m) {
   const auto squares = [](kernel::vec3 a, kernel::vec3 b, kernel::vec3 c) {
