@@ -11,14 +11,15 @@ endif()
 # Apply the project's language level, warnings and floating-point rules to a target.
 #
 # -ffp-contract=off and the absence of -ffast-math are part of the promise that a picture is the same
-# bit for bit on every instruction set (docs/decisions/002-bit-equality.md); -fno-math-errno is safe.
+# bit for bit on every instruction set (docs/decisions/002-bit-equality.md). -fno-math-errno and
+# -fno-trapping-math change no result; they let sqrt and floor become instructions.
 function(snell_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wdouble-promotion -Wfloat-conversion
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms of GCC 12 on std::string (bug 105329)
-    -ffp-contract=off -fno-math-errno -fvisibility=hidden)
+    -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     target_compile_options(${target} PRIVATE -msse4.2)
   endif()

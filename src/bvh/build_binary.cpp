@@ -18,6 +18,13 @@ namespace {
 constexpr int BinCount = 16;
 // Cost of visiting one level of the wide tree for a ray, relative to testing a block of triangles.
 constexpr float TraversalCost = 1.0f;
+// Cost of testing one primitive of a kind, in triangles: a shape is tested alone, an instance is a whole
+// tree. At these weights they get leaves of their own, so that the node's boxes sort them out, eight at once.
+constexpr std::uint32_t WeightOf(LeafKind kind) {
+  return kind == LeafKind::Triangles ? 1
+         : kind == LeafKind::Shapes  ? 4 * BlockWidth
+                                     : 16 * BlockWidth;
+}
 // Beyond this depth the tree is split at medians, so that no input can make it deep.
 constexpr int MaxSahDepth = 48;
 // Ranges of more references are worked on by several threads.
@@ -33,20 +40,23 @@ struct Range {
   std::uint32_t Count() const { return last - first; }
 };
 
-// Bounds of a range, of its centroids, and which kinds it holds.
+// Bounds of a range, of its centroids, its primitives' weight, and which kinds it holds.
 struct Extent {
   Bounds bounds;
   Bounds centroids;
+  std::uint64_t weight = 0;
   std::uint32_t kinds = 0;
 
   void Extend(const PrimitiveRef& ref) {
     bounds.Extend(BoundsOf(ref));
     centroids.Extend(CentroidOf(ref));
+    weight += WeightOf(ref.kind);
     kinds |= 1u << std::uint32_t(ref.kind);
   }
   void Extend(const Extent& other) {
     bounds.Extend(other.bounds);
     centroids.Extend(other.centroids);
+    weight += other.weight;
     kinds |= other.kinds;
   }
 };
@@ -70,20 +80,20 @@ struct BinMap {
 
 struct Bins {
   std::array<std::array<Bounds, BinCount>, 3> bounds;
-  std::array<std::array<std::uint32_t, BinCount>, 3> counts{};
+  std::array<std::array<std::uint64_t, BinCount>, 3> weights{};
 
   void Add(const PrimitiveRef& ref, const BinMap& map) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t bin = std::size_t(map.Bin(ref, axis));
       bounds[std::size_t(axis)][bin].Extend(BoundsOf(ref));
-      ++counts[std::size_t(axis)][bin];
+      weights[std::size_t(axis)][bin] += WeightOf(ref.kind);
     }
   }
   void Add(const Bins& other) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t bin = 0; bin < BinCount; ++bin) {
         bounds[axis][bin].Extend(other.bounds[axis][bin]);
-        counts[axis][bin] += other.counts[axis][bin];
+        weights[axis][bin] += other.weights[axis][bin];
       }
     }
   }
@@ -122,7 +132,7 @@ class Builder {
     const bool mayBeLeaf = range.Count() <= maxLeafPrimitives_ && !mixed;
     if (range.Count() == 1) return;
     const Split split = depth < MaxSahDepth ? FindSplit(range, extent) : Split{};
-    const float leafCost = float((range.Count() + BlockWidth - 1) / BlockWidth);
+    const float leafCost = LeafCost(extent.weight);
     if (mayBeLeaf && leafCost <= TraversalCost + split.cost) return;
 
     // Part the references: by the split, else by kind, else in the middle
@@ -188,33 +198,36 @@ class Builder {
     for (int axis = 0; axis < 3; ++axis) {
       if (map.scale[axis] == 0.0f) continue;
       const auto& bounds = bins.bounds[std::size_t(axis)];
-      const auto& counts = bins.counts[std::size_t(axis)];
+      const auto& weights = bins.weights[std::size_t(axis)];
 
       // Sweep from the right for the costs of the right sides, then from the left
       std::array<float, BinCount> rightCost;
       Bounds side;
-      std::uint32_t count = 0;
+      std::uint64_t weight = 0;
       for (std::size_t bin = BinCount - 1; bin > 0; --bin) {
         side.Extend(bounds[bin]);
-        count += counts[bin];
-        rightCost[bin] = SideCost(side, count);
+        weight += weights[bin];
+        rightCost[bin] = SideCost(side, weight);
       }
       side = {};
-      count = 0;
+      weight = 0;
       for (std::size_t bin = 1; bin < BinCount; ++bin) {
         side.Extend(bounds[bin - 1]);
-        count += counts[bin - 1];
-        const float cost = (SideCost(side, count) + rightCost[bin]) / area;
-        const bool parts = count > 0 && count < range.Count();
+        weight += weights[bin - 1];
+        const float cost = (SideCost(side, weight) + rightCost[bin]) / area;
+        const bool parts = weight > 0 && weight < extent.weight;
         if (parts && cost < best.cost) best = {cost, axis, int(bin)};
       }
     }
     return best;
   }
 
-  static float SideCost(const Bounds& bounds, std::uint32_t count) {
-    if (count == 0) return 0.0f;
-    return bounds.HalfArea() * float((count + BlockWidth - 1) / BlockWidth);
+  // Blocks of triangles, or as much work.
+  static float LeafCost(std::uint64_t weight) {
+    return float((weight + BlockWidth - 1) / BlockWidth);
+  }
+  static float SideCost(const Bounds& bounds, std::uint64_t weight) {
+    return weight == 0 ? 0.0f : bounds.HalfArea() * LeafCost(weight);
   }
 
   // Bring those that go left to the front, keeping the order on both sides; returns where the right begins.

@@ -39,6 +39,7 @@ Bvh::Bvh(const Geometry& geometry)
     const Bounds bounds = ShapeBounds(geometry.shapes[i]);
     if (bounds.Finite()) {
       references.push_back({bounds.lower, i, bounds.upper, LeafKind::Shapes});
+      view_.treeMask |= MaskOf(geometry.shapes[i].object);
     } else {
       unbounded_.push_back(i);
     }
@@ -50,19 +51,18 @@ Bvh::Bvh(const Geometry& geometry)
     const Bounds bounds = TransformedBounds(instance.toWorld, local);
     if (bounds.Finite()) {
       references.push_back({bounds.lower, i, bounds.upper, LeafKind::Instances});
+      view_.treeMask |= MaskOf(instance.object);
     } else {
       ++dropped_;
     }
   }
   trees_[0] = BuildTree(references);
-  trees_[0].triangleMask = SharedTriangleMask();
+  FindTriangleMasks();
 
-  view_ = {arrays_.nodes.data(),      arrays_.blocks.data(),
-           arrays_.items.data(),      trees_.data(),
-           unbounded_.data(),         std::uint32_t(unbounded_.size()),
-           geometry.triangles.data(), geometry.meshes.data(),
-           geometry.shapes.data(),    geometry.instances.data(),
-           geometry.objects.data()};
+  view_ = {arrays_.nodes.data(),   arrays_.blocks.data(),     arrays_.items.data(),
+           trees_.data(),          unbounded_.data(),         std::uint32_t(unbounded_.size()),
+           view_.treeMask,         geometry.triangles.data(), geometry.meshes.data(),
+           geometry.shapes.data(), geometry.instances.data(), geometry.objects.data()};
 }
 
 void Bvh::AddTriangles(std::uint32_t first, std::uint32_t count,
@@ -89,15 +89,15 @@ Tree Bvh::BuildTree(std::vector<PrimitiveRef>& references) {
   return tree;
 }
 
-std::uint32_t Bvh::SharedTriangleMask() const {
-  std::uint32_t shared = 0;
+std::uint32_t Bvh::MaskOf(std::uint32_t object) const { return geometry_.objects[object].mask; }
+
+void Bvh::FindTriangleMasks() {
+  std::uint32_t& shared = trees_[0].triangleMask;
   for (std::uint32_t i = 0; i < geometry_.worldTriangles; ++i) {
-    const std::uint32_t mask =
-        geometry_.objects[geometry_.meshes[geometry_.triangles[i].mesh].object].mask;
-    if (i > 0 && mask != shared) return MixedMask;
-    shared = mask;
+    const std::uint32_t mask = MaskOf(geometry_.meshes[geometry_.triangles[i].mesh].object);
+    view_.treeMask |= mask;
+    shared = i == 0 || mask == shared ? mask : MixedMask;
   }
-  return shared;
 }
 
 std::uint64_t Bvh::MemoryBytes() const {

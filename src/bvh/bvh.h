@@ -51,7 +51,8 @@ class Bvh {
   Tree BuildTree(std::vector<PrimitiveRef>& references);
   void AddTriangles(std::uint32_t first, std::uint32_t count,
                     std::vector<PrimitiveRef>& references);
-  std::uint32_t SharedTriangleMask() const;
+  std::uint32_t MaskOf(std::uint32_t object) const;
+  void FindTriangleMasks();
 
   Geometry geometry_;
   WideArrays arrays_;

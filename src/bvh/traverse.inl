@@ -50,9 +50,9 @@ struct TreeRay {
   int far[3];
 };
 
-SIMD_FN TreeRay Prepare(vec3 o, vec3 d, const Tree& tree) {
+SIMD_FN TreeRay Prepare(vec3 o, vec3 d, const Tree& tree, bool triangles) {
   TreeRay ray;
-  ray.sheared = kernel::Shear(o, d);
+  if (triangles) ray.sheared = kernel::Shear(o, d);
   for (int axis = 0; axis < 3; ++axis) {
     // Directions of zero become tiny ones, so that no NaN arises
     const float component =
@@ -75,6 +75,7 @@ SIMD_FN std::uint32_t IntersectNode(const WideNode& node, const TreeRay& ray, fl
                                     Float8& distance) {
   Float8 enter = Set8(0.0f);
   Float8 leave = Set8(tMax);
+#pragma GCC unroll 3
   for (int axis = 0; axis < 3; ++axis) {
     const Float8 r = Set8(ray.reciprocal[axis]);
     enter = Max(MulSub(Load8(node.bounds[ray.near[axis]]), r, Set8(ray.entry[axis])), enter);
@@ -202,9 +203,9 @@ template <bool AnyHit, bool World>
 static bool Traverse(const View& view, const Tree& tree, const Ray& ray, std::uint32_t instance,
                      std::uint32_t mask, Best& best) {
   if (tree.root == None) return false;
-  const TreeRay prepared = Prepare(ray.o, ray.d, tree);
   const bool seesTriangles =
       !World || tree.triangleMask == MixedMask || (tree.triangleMask & mask) != 0;
+  const TreeRay prepared = Prepare(ray.o, ray.d, tree, seesTriangles);
   StackEntry stack[StackSize];
   int size = 0;
   ChildRef current = tree.root;
@@ -280,13 +281,14 @@ static bool Traverse(const View& view, const Tree& tree, const Ray& ray, std::ui
 static Hit Closest(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
   Best best{tMax, None, None};
   IntersectShapes<false>(view, view.unbounded, view.unboundedCount, ray, mask, best);
-  Traverse<false, true>(view, view.trees[0], ray, None, mask, best);
+  if ((view.treeMask & mask) != 0) Traverse<false, true>(view, view.trees[0], ray, None, mask, best);
   return {best.primitive, best.instance};
 }
 
 static bool Any(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
   Best best{tMax, None, None};
-  return IntersectShapes<true>(view, view.unbounded, view.unboundedCount, ray, mask, best) ||
+  if (IntersectShapes<true>(view, view.unbounded, view.unboundedCount, ray, mask, best)) return true;
+  return (view.treeMask & mask) != 0 &&
          Traverse<true, true>(view, view.trees[0], ray, None, mask, best);
 }
 

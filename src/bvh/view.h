@@ -16,6 +16,7 @@ struct View {
   const Tree* trees = nullptr;               // the first is the world's
   const std::uint32_t* unbounded = nullptr;  // shapes without bounds, which every ray tests
   std::uint32_t unboundedCount = 0;
+  std::uint32_t treeMask = 0;  // of all objects that the world's tree holds, together
 
   // The caller's geometry
   const kernel::Triangle* triangles = nullptr;

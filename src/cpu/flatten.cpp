@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "bvh/bounds.h"
+#include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
 
@@ -59,26 +60,6 @@ static Environment FlattenEnvironment(const scene::Environment& environment) {
           std::sin(environment.topElevation), environment.ior};
 }
 
-static uint FlattenFilter(scene::PixelFilter filter) {
-  switch (filter) {
-    case scene::PixelFilter::Box: return FILTER_BOX;
-    case scene::PixelFilter::Tent: return FILTER_TENT;
-    case scene::PixelFilter::Gaussian: return FILTER_GAUSSIAN;
-    case scene::PixelFilter::BlackmanHarris: return FILTER_BLACKMAN_HARRIS;
-  }
-  return FILTER_BOX;
-}
-
-static float UsualFilterRadius(scene::PixelFilter filter) {
-  switch (filter) {
-    case scene::PixelFilter::Box: return 0.5f;
-    case scene::PixelFilter::Tent: return 1.0f;
-    case scene::PixelFilter::Gaussian:
-    case scene::PixelFilter::BlackmanHarris: return 1.5f;
-  }
-  return 0.5f;
-}
-
 // Whether a ray of the camera may start in the box.
 static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
   bvh::Bounds starts;
@@ -99,9 +80,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params = {};
   flat.params.camera = FlattenCamera(camera, settings);
   flat.params.environment = FlattenEnvironment(scene.environment);
-  flat.params.filterKind = FlattenFilter(settings.filter);
-  flat.params.filterRadius =
-      settings.filterRadius > 0 ? settings.filterRadius : UsualFilterRadius(settings.filter);
+  FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;

@@ -4,6 +4,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -97,6 +98,17 @@ struct ShapeFlattener {
   void operator()(const scene::MeshGeometry&) { CHECK(!"a mesh is no analytic shape"); }
 };
 
+// Whether a texture of the object's material reads texture coordinates.
+bool IsMapped(const scene::Scene& scene, const scene::Material& material) {
+  const auto reads = [&](const scene::ColorInput& input) {
+    return input.texture >= 0 &&
+           scene.textures.at(std::size_t(input.texture)).space == scene::TextureSpace::Uv;
+  };
+  return reads(material.emission) || reads(material.reflectivity) || reads(material.transparency) ||
+         std::ranges::any_of(material.terms,
+                             [&](const scene::Term& term) { return reads(term.color); });
+}
+
 uint MaskOf(const scene::Object& object, const scene::Material& material, bool tintedShadows) {
   uint mask = 0;
   if (object.visibleToCamera) mask |= MASK_CAMERA;
@@ -185,7 +197,9 @@ void FlattenObjects(const scene::Scene& scene, bool tintedShadows, FlatScene& fl
     const scene::Object& object = scene.objects[i];
     const auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry);
     if (!mesh) {
-      flat.shapes.push_back(FlattenShape(object.geometry, object.toWorld, firstObject + uint(i)));
+      Shape shape = FlattenShape(object.geometry, object.toWorld, firstObject + uint(i));
+      shape.mapped = IsMapped(scene, scene.materials[std::size_t(object.material)]) ? 1 : 0;
+      flat.shapes.push_back(shape);
     } else if (uses[std::size_t(mesh->mesh)] == 1) {
       AppendMesh(scene.meshes[std::size_t(mesh->mesh)], &object.toWorld, firstObject + uint(i),
                  flat);

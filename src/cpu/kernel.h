@@ -33,6 +33,7 @@ struct Kernel {
   Hit ClosestHit(const Ray& ray, float tMax, uint mask) { return bvh.Closest(ray, tMax, mask); }
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
+#include "kernel/scene_filter.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"

@@ -3,8 +3,8 @@
 // The kernel's own mathematics. Only + − × ÷ √ and integer operations are used, in a pinned order, so that
 // a CPU and Mesa's software Vulkan driver give the same bits (docs/decisions/002-bit-equality.md); for the
 // same reason normalize, dot, cross and the transcendental functions are ours, not the languages'.
-// Polynomials: Cephes (Moshier 1992) for sin, cos, asin, atan; Giles 2012, "Approximating the erfinv
-// function", for ErfInv. Error bounds: Higham 2002, section 3.1; pbrt-v4, section 6.8.
+// Polynomials: Cephes (Moshier 1992) for sin, cos, asin, atan. Error bounds: Higham 2002, section 3.1;
+// pbrt-v4, section 6.8.
 #ifndef SNELL_KERNEL_MATH_H
 #define SNELL_KERNEL_MATH_H
 
@@ -227,36 +227,6 @@ FN float Atan2(float y, float x) {
   if (ay > ax) a = PiOver2 - a;
   if (x < 0.0f) a = Pi - a;
   return y < 0.0f ? -a : a;
-}
-
-// Inverse of the error function for −1 < x < 1; relative error below 4e-7.
-FN float ErfInv(float x) {
-  float w = -Log(Max((1.0f - x) * (1.0f + x), 1e-30f));
-  float p;
-  if (w < 5.0f) {
-    w = w - 2.5f;
-    p = 2.81022636e-08f;
-    p = 3.43273939e-07f + p * w;
-    p = -3.5233877e-06f + p * w;
-    p = -4.39150654e-06f + p * w;
-    p = 0.00021858087f + p * w;
-    p = -0.00125372503f + p * w;
-    p = -0.00417768164f + p * w;
-    p = 0.246640727f + p * w;
-    p = 1.50140941f + p * w;
-  } else {
-    w = sqrt(w) - 3.0f;
-    p = -0.000200214257f;
-    p = 0.000100950558f + p * w;
-    p = 0.00134934322f + p * w;
-    p = -0.00367342844f + p * w;
-    p = 0.00573950773f + p * w;
-    p = -0.0076224613f + p * w;
-    p = 0.00943887047f + p * w;
-    p = 1.00167406f + p * w;
-    p = 2.83297682f + p * w;
-  }
-  return p * x;
 }
 
 KERNEL_END

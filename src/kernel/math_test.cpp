@@ -182,27 +182,6 @@ TEST(Pow, HasTheDocumentedRelativeError) {
   EXPECT_EQ(Pow(1.0f, 1e6f), 1.0f);
 }
 
-TEST(ErfInv, InvertsTheErrorFunction) {
-  double worst = 0;
-  const auto check = [&](float x) {
-    if (x == 0.0f) return;
-    // One step of Newton's method in double precision tells how far off the float is
-    const double y = double(ErfInv(x));
-    const double slope = 1.1283791670955126 * std::exp(-y * y);
-    const double a = std::abs(double(x));
-    const double b = std::abs(y);
-    const double residual = a < 0.5 ? std::erf(b) - a : (1 - a) - std::erfc(b);
-    const double error = std::abs(residual / slope / b);
-    worst = std::max(worst, error);
-    ASSERT_LE(error, 4e-7) << x;
-  };
-  SweepFloats(-0x1.fffffep-1f, 0x1.fffffep-1f, test::Scaled(300000), check);
-  test::Random random(5);
-  for (int i = 0; i < 100000; ++i) check(float(random.Uniform(-1, 1)));
-  RecordProperty("max_relative_error", std::to_string(worst * 1e9) + "e-9");
-  EXPECT_EQ(ErfInv(0.0f), 0.0f);
-}
-
 TEST(SmoothStep, IsACubicBetweenItsEnds) {
   EXPECT_EQ(SmoothStep(1.0f, 3.0f, 0.0f), 0.0f);
   EXPECT_EQ(SmoothStep(1.0f, 3.0f, 4.0f), 1.0f);

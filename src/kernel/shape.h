@@ -36,15 +36,18 @@ FN float IntersectShape(IN(Shape) shape, vec3 o, vec3 d) {
 // The surface where IntersectShape found `t`.
 FN SurfaceInteraction ShapeSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
   Ray ray = ToLocalRay(shape.toWorld, o, d);
+  bool mapped = shape.mapped == 1u;
   LocalSurface local;
   switch (shape.kind) {
-    case SHAPE_SPHERE: local = SphereSurface(ray.o, ray.d, shape.a, t); break;
-    case SHAPE_ELLIPSOID: local = SphereSurface(ray.o, ray.d, 1.0f, t); break;
+    case SHAPE_SPHERE: local = SphereSurface(ray.o, ray.d, shape.a, t, mapped); break;
+    case SHAPE_ELLIPSOID: local = SphereSurface(ray.o, ray.d, 1.0f, t, mapped); break;
     case SHAPE_DISK: local = DiskSurface(ray.o, ray.d, t); break;
     case SHAPE_BOX: local = BoxSurface(ray.o, ray.d, t); break;
-    case SHAPE_FRUSTUM: local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t); break;
-    case SHAPE_TUBE: local = TubeSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t); break;
-    case SHAPE_TORUS: local = TorusSurface(ray.o, ray.d, shape.a, shape.b, t); break;
+    case SHAPE_FRUSTUM:
+      local = FrustumSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t, mapped);
+      break;
+    case SHAPE_TUBE: local = TubeSurface(ray.o, ray.d, shape.a, shape.b, shape.c, t, mapped); break;
+    case SHAPE_TORUS: local = TorusSurface(ray.o, ray.d, shape.a, shape.b, t, mapped); break;
     default: local = FlatSurface(ray.o, ray.d, t); break;
   }
 

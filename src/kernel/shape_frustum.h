@@ -157,7 +157,7 @@ FN LocalSurface FrustumDiskSurface(vec3 p, float y, float radius, float side) {
 }
 
 // The side of a frustum or a tube.
-FN LocalSurface FrustumSideSurface(vec3 p, float r0, float r1, float height) {
+FN LocalSurface FrustumSideSurface(vec3 p, float r0, float r1, float height, bool mapped) {
   LocalSurface s;
   float k = (r1 - r0) / height;
   float fromAxis = sqrt(p.x * p.x + p.z * p.z);
@@ -170,20 +170,23 @@ FN LocalSurface FrustumSideSurface(vec3 p, float r0, float r1, float height) {
   s.error = Abs(s.p) * Gamma(8.0f) + vec3(1.0f, 0.0f, 1.0f) * (Max(r0, r1) * Gamma(4.0f));
   s.n = vec3(outward.x, -k, outward.z);
   s.dpdu = vec3(s.p.z, 0.0f, -s.p.x) * (2.0f * Pi);
-  s.uv = vec2(0.5f + Atan2(outward.x, outward.z) * Inv2Pi, y / height);
+  s.uv = vec2(0.0f, 0.0f);
+  if (mapped) s.uv = vec2(0.5f + Atan2(outward.x, outward.z) * Inv2Pi, y / height);
   return s;
 }
 
-FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, float t) {
+FN LocalSurface FrustumSurface(vec3 o, vec3 d, float r0, float r1, float height, float t,
+                               bool mapped) {
   vec3 p = o + t * d;
   uint face = FindFrustumHit(o, d, r0, r1, height).face;
   if (face == FRUSTUM_BOTTOM && r0 > 0.0f) return FrustumDiskSurface(p, 0.0f, r0, -1.0f);
   if (face == FRUSTUM_TOP && r1 > 0.0f) return FrustumDiskSurface(p, height, r1, 1.0f);
-  return FrustumSideSurface(p, r0, r1, height);
+  return FrustumSideSurface(p, r0, r1, height, mapped);
 }
 
-FN LocalSurface TubeSurface(vec3 o, vec3 d, float r0, float r1, float height, float t) {
-  return FrustumSideSurface(o + t * d, r0, r1, height);
+FN LocalSurface TubeSurface(vec3 o, vec3 d, float r0, float r1, float height, float t,
+                            bool mapped) {
+  return FrustumSideSurface(o + t * d, r0, r1, height, mapped);
 }
 
 // The point p of a closed frustum, with its normal n, moved away from rims and apex by `margin` per

@@ -31,13 +31,14 @@ FN float IntersectSphere(vec3 o, vec3 d, float radius) {
   return tClosest >= 0.0f ? tClosest + halfChord : c / (a * (tClosest - halfChord));
 }
 
-FN LocalSurface SphereSurface(vec3 o, vec3 d, float radius, float t) {
+FN LocalSurface SphereSurface(vec3 o, vec3 d, float radius, float t, bool mapped) {
   LocalSurface s;
   vec3 p = o + t * d;
   s.p = p * (radius / Length(p));
   s.error = Abs(s.p) * Gamma(8.0f);
   s.n = s.p / radius;
-  s.uv = vec2(0.5f + Atan2(s.n.x, s.n.z) * Inv2Pi, 0.5f + Asin(s.n.y) * InvPi);
+  s.uv = vec2(0.0f, 0.0f);
+  if (mapped) s.uv = vec2(0.5f + Atan2(s.n.x, s.n.z) * Inv2Pi, 0.5f + Asin(s.n.y) * InvPi);
   s.dpdu = vec3(s.p.z, 0.0f, -s.p.x) * (2.0f * Pi);
   return s;
 }

@@ -13,7 +13,7 @@ struct LocalSurface {
   vec3 error;  // bound of p's distance from the surface, per coordinate
   vec3 n;      // to the outside; need not have unit length
   vec3 dpdu;
-  vec2 uv;
+  vec2 uv;  // may be left 0 where nobody asks for it, since it takes an arc tangent
 };
 
 KERNEL_END

@@ -152,6 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Surface, testing::ValuesIn(test::ShapeKinds),
 Shape Plain(uint kind, float a = 0, float b = 0, float c = 0) {
   Shape shape = {};
   shape.kind = kind;
+  shape.mapped = 1;
   shape.a = a;
   shape.b = b;
   shape.c = c;

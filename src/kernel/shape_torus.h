@@ -125,7 +125,7 @@ FN float IntersectTorus(vec3 o, vec3 d, float major, float minor) {
   return -1.0f;
 }
 
-FN LocalSurface TorusSurface(vec3 o, vec3 d, float major, float minor, float t) {
+FN LocalSurface TorusSurface(vec3 o, vec3 d, float major, float minor, float t, bool mapped) {
   LocalSurface s;
   vec3 p = o + t * d;
   float fromAxis = sqrt(p.x * p.x + p.z * p.z);
@@ -134,8 +134,9 @@ FN LocalSurface TorusSurface(vec3 o, vec3 d, float major, float minor, float t) 
   s.n = Normalize(p - middle);
   s.p = middle + minor * s.n;
   s.error = Abs(s.p) * Gamma(8.0f) + vec3(1.0f, 1.0f, 1.0f) * (major * Gamma(8.0f));
-  float ring = fromAxis - major;
-  s.uv = vec2(0.5f + Atan2(p.x, p.z) * Inv2Pi, 0.5f + Atan2(p.y, ring) * Inv2Pi);
+  s.uv = vec2(0.0f, 0.0f);
+  if (mapped)
+    s.uv = vec2(0.5f + Atan2(p.x, p.z) * Inv2Pi, 0.5f + Atan2(p.y, fromAxis - major) * Inv2Pi);
   s.dpdu = vec3(s.p.z, 0.0f, -s.p.x) * (2.0f * Pi);
   return s;
 }

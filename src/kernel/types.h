@@ -57,6 +57,7 @@ CONST uint SHAPE_TORUS = 8u;    // around +y, radius a to the middle of a tube o
 struct Shape {
   uint kind;
   uint object;
+  uint mapped;  // 1: textures ask for its texture coordinates; 0: these are left 0
   float a;
   float b;
   float c;
@@ -206,10 +207,8 @@ struct Camera {
       extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
 };
 
-CONST uint FILTER_BOX = 0u;
-CONST uint FILTER_TENT = 1u;
-CONST uint FILTER_GAUSSIAN = 2u;
-CONST uint FILTER_BLACKMAN_HARRIS = 3u;
+// Entries of the pixel filter's quantile function: 32 to the octave from 2⁻²⁴ to ½, and one more.
+CONST uint FilterQuantileCount = 738u;
 
 // Everything of a render that is one value.
 struct RenderParams {
@@ -217,12 +216,11 @@ struct RenderParams {
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
-  uint tintedShadows;  // 1: some object is marked MASK_TINT
-  uint filterKind;
-  float filterRadius;     // pixels
+  uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut
   uint seed;
+  float filterQuantiles[FilterQuantileCount];  // pixels; scene_filter.h
 };
 
 // The refractive objects that a point is inside of, outermost first.

@@ -13,7 +13,6 @@
 #include "kernel/light.h"
 #include "kernel/medium.h"
 #include "kernel/pattern.h"
-#include "kernel/pixel_filter.h"
 #include "kernel/ray.h"
 #include "kernel/sampling.h"
 #include "kernel/shape.h"

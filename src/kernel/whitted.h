@@ -23,7 +23,7 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
 
   // Place the sample in the image plane by the pixel filter
   vec2 u = Sobol2D(sampleIndex, HashCombine(s.seed, 0u));
-  vec2 offset = SamplePixelFilter(params.filterKind, params.filterRadius, u);
+  vec2 offset = SamplePixelFilter(u);
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
   s.branch.ray = GenerateRay(params.camera, place);
   s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f);

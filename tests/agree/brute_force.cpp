@@ -59,6 +59,7 @@ struct BruteForceKernel {
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
+#include "kernel/scene_filter.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"

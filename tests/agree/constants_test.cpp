@@ -14,7 +14,7 @@
 #include <set>
 
 #include "agree/spirv.h"
-#include "kernel/pixel_filter.h"
+#include "kernel/math.h"
 #include "util/file.h"
 
 namespace snell::agree {
@@ -25,11 +25,7 @@ using namespace kernel;
 
 // The expressions of constants alone that the kernel uses, beyond literals.
 const float Expressions[] = {
-    1.0f / 3.0f,         1.0f / 4096.0f,
-    2.0f * Pi,           4.0f * Pi,
-    2.0f * UnitRoundoff, Blackman0* Pi,
-    2.0f * Blackman0,    2.0f * Blackman0* Pi,
-    0.5f * Blackman2,    1.41421356237309504880f * GaussianSigma,
+    1.0f / 3.0f, 1.0f / 4096.0f, 2.0f * Pi, 4.0f * Pi, 2.0f * UnitRoundoff,
 };
 
 // Bits of the absolute values of all float literals ("0.5f", "1e-3f") in a source text.

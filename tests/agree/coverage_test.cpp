@@ -133,14 +133,13 @@ TEST(Coverage, LightsAndFalloffs) {
   }
 }
 
-TEST(Coverage, CamerasFiltersAndSurroundings) {
-  std::set<uint> cameras, inside, filters, tinted;
+TEST(Coverage, CamerasAndSurroundings) {
+  std::set<uint> cameras, inside, tinted;
   bool ambient = false, gradient = false, under = false;
   for (const FlatScene& flat : FlatScenes()) {
     const RenderParams& params = flat.params;
     cameras.insert(params.camera.kind);
     if (params.camera.inside == 1) inside.insert(params.camera.kind);
-    filters.insert(params.filterKind);
     tinted.insert(params.tintedShadows);
     ambient = ambient || params.ambient.x > 0;
     gradient = gradient || params.environment.bottom != params.environment.top;
@@ -148,7 +147,6 @@ TEST(Coverage, CamerasFiltersAndSurroundings) {
   }
   EXPECT_EQ(cameras, TagsTo(CAMERA_ORTHOGRAPHIC));
   EXPECT_EQ(inside, TagsTo(CAMERA_ORTHOGRAPHIC)) << "cameras within glass";
-  EXPECT_EQ(filters, TagsTo(FILTER_BLACKMAN_HARRIS));
   EXPECT_EQ(tinted, TagsTo(1));
   EXPECT_TRUE(ambient);
   EXPECT_TRUE(gradient);

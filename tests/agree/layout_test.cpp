@@ -39,6 +39,11 @@ SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(Environment)
 SNELL_GLSL_NAME(Transform)
 #undef SNELL_GLSL_NAME
+template <>
+const char* NameInGlsl<float[FilterQuantileCount]>() {
+  static const std::string name = fmt::format("float[{}]", FilterQuantileCount);
+  return name.c_str();
+}
 
 struct Record {
   std::size_t size;
@@ -64,8 +69,8 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Object, toWorld)}}},
       {"Shape",
        {sizeof(Shape),
-        {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, a), MEMBER(Shape, b),
-         MEMBER(Shape, c), MEMBER(Shape, toWorld)}}},
+        {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, mapped), MEMBER(Shape, a),
+         MEMBER(Shape, b), MEMBER(Shape, c), MEMBER(Shape, toWorld)}}},
       {"Triangle",
        {sizeof(Triangle),
         {MEMBER(Triangle, v0), MEMBER(Triangle, v1), MEMBER(Triangle, v2),
@@ -110,9 +115,9 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
-         MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, filterKind),
-         MEMBER(RenderParams, filterRadius), MEMBER(RenderParams, maxDepth),
-         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed)}}},
+         MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
+         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
+         MEMBER(RenderParams, filterQuantiles)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
         {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),

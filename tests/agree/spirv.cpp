@@ -27,6 +27,7 @@ enum Opcode : std::uint32_t {
   OpTypeInt = 21,
   OpTypeFloat = 22,
   OpTypeVector = 23,
+  OpTypeArray = 28,
   OpTypeRuntimeArray = 29,
   OpTypeStruct = 30,
   OpTypeForwardPointer = 39,
@@ -128,6 +129,7 @@ SpirvLayouts ReadLayouts(std::span<const std::uint32_t> module) {
   std::map<Member, std::uint32_t> offsets;
   std::map<std::uint32_t, std::uint32_t> strides;
   std::map<std::uint32_t, bool> blocks;
+  std::map<std::uint32_t, std::uint32_t> integers;  // constants, as lengths of arrays are
   SpirvLayouts layouts;
 
   // Names and decorations come before the types, and types before those that are made of them
@@ -146,6 +148,10 @@ SpirvLayouts ReadLayouts(std::span<const std::uint32_t> module) {
       case OpTypeInt: names[operands[0]] = operands[2] == 1 ? "int" : "uint"; break;
       case OpTypeFloat: names[operands[0]] = "float"; break;
       case OpTypeVector: names[operands[0]] = VectorName(names[operands[1]], operands[2]); break;
+      case OpConstant: integers[operands[1]] = operands[2]; break;
+      case OpTypeArray:
+        names[operands[0]] = fmt::format("{}[{}]", names[operands[1]], integers[operands[2]]);
+        break;
       case OpTypeRuntimeArray:
         names[operands[0]] = names[operands[1]] + "[]";
         layouts.arrays.push_back({names[operands[1]], strides[operands[0]]});

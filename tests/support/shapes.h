@@ -44,6 +44,7 @@ inline Placement RandomPlacement(Random& random) {
 inline kernel::Shape RandomShape(Random& random, unsigned kind, const Placement& placement) {
   kernel::Shape shape = {};
   shape.kind = kind;
+  shape.mapped = 1;
   MapKind map = placement.map;
   double mapScale = placement.scale;
   switch (kind) {

@@ -13,6 +13,7 @@
 
 WhittedBranch branches[WhittedStackSize];
 
+#include "kernel/scene_filter.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
