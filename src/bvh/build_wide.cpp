@@ -66,7 +66,7 @@ class Collapser {
         node.bounds[axis][i] = std::numeric_limits<float>::infinity();
         node.bounds[3 + axis][i] = -std::numeric_limits<float>::infinity();
       }
-      node.child[i] = None;
+      node.child[i] = NoChild;
     }
     return node;
   }
@@ -120,6 +120,8 @@ class Collapser {
 
 ChildRef AppendWideTree(const BinaryTree& tree, const std::vector<PrimitiveRef>& references,
                         const Geometry& geometry, WideArrays& arrays) {
+  // The block that missing children lead to
+  if (arrays.blocks.empty()) arrays.blocks.push_back({{}, {None, None, None, None}});
   return Collapser(tree, references, geometry, arrays).Collapse(0);
 }
 

@@ -30,10 +30,14 @@ constexpr LeafKind KindOf(ChildRef leaf) { return LeafKind((leaf >> 29) & 3u); }
 constexpr std::uint32_t CountOf(ChildRef leaf) { return ((leaf >> 25) & 15u) + 1; }
 constexpr std::uint32_t FirstOf(ChildRef leaf) { return leaf & MaxElementIndex; }
 
+// The first block holds no triangle.
+inline constexpr ChildRef NoChild = LeafRef(LeafKind::Triangles, 0, 1);
+
 inline constexpr int Width = 8;
 
 // Bounds of eight children by axis: bounds[axis] are the lower and bounds[3 + axis] the upper ones. A
-// missing child has inverted bounds, which no ray meets.
+// missing child has inverted bounds, which only rays meet whose numbers overflow or are none; for their sake
+// it is the leaf NoChild.
 struct alignas(32) WideNode {
   float bounds[6][Width];
   ChildRef child[Width];

@@ -16,6 +16,7 @@ namespace {
 
 using glm::dvec3;
 using test::MeshScene;
+using test::PointOn;
 using test::TriangleMesh;
 
 // The ray's crossing of the triangle's plane and its barycentric coordinates there, by Cramer's rule.
@@ -115,19 +116,6 @@ TEST(IntersectTriangle, HitsFromBothSidesAtTheSameDistance) {
 std::vector<TriangleMesh> ClosedMeshes(test::Random& random) {
   return {test::Icosphere(1), test::Cube(), test::Bipyramid(random, 40, 1, 1e-4),
           test::Bipyramid(random, 40, 1e-3, 1e-4), test::Bipyramid(random, 40, 1e3, 1e-4)};
-}
-
-// A point on the surface: a vertex, on an edge, or inside a triangle, of the rounded mesh.
-dvec3 PointOn(test::Random& random, const TriangleMesh& mesh) {
-  const uvec3 t = mesh.triangles[random.Index(uint(mesh.triangles.size()))];
-  const dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
-  switch (random.Index(4)) {
-    case 0: return a;
-    case 1: return a + (b - a) * random.Uniform();
-    case 2: return a + (b - a) * 0.5;
-  }
-  const double u = random.Uniform(), v = random.Uniform();
-  return u + v < 1 ? a + (b - a) * u + (c - a) * v : a + (b - a) * (1 - u) + (c - a) * (1 - v);
 }
 
 // A map that keeps the mesh's proportions.

@@ -4,6 +4,7 @@
 // wound counter-clockwise seen from outside.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <map>
 #include <utility>
 #include <vector>
@@ -98,6 +99,24 @@ inline TriangleMesh Grid(unsigned cells) {
     }
   }
   return mesh;
+}
+
+// A point of a triangle: a corner, on an edge, or inside.
+inline glm::dvec3 PointOn(Random& random, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+  switch (random.Index(4)) {
+    case 0: return a;
+    case 1: return a + (b - a) * random.Uniform();
+    case 2: return a + (b - a) * 0.5;
+  }
+  const double u = random.Uniform(), v = random.Uniform();
+  return u + v < 1 ? a + (b - a) * u + (c - a) * v : a + (b - a) * (1 - u) + (c - a) * (1 - v);
+}
+
+// A point on the surface of the rounded mesh.
+inline glm::dvec3 PointOn(Random& random, const TriangleMesh& mesh) {
+  const uvec3 t = mesh.triangles[random.Index(unsigned(mesh.triangles.size()))];
+  return PointOn(random, glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]),
+                 glm::dvec3(mesh.positions[t.z]));
 }
 
 // The mesh scaled, turned and moved; the corners are rounded, so neighbours still share them.

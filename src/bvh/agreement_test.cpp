@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The BVH against the search that asks every primitive, over soups and rays of the awkward kinds: the same
+// ids, whatever the instruction set, the mask and the range of t.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "bvh/bvh.h"
+#include "support/soups.h"
+
+namespace snell::bvh {
+namespace {
+
+using kernel::Hit;
+using kernel::Ray;
+using test::Random;
+using test::Soup;
+
+std::string ToText(const Hit& hit, float t) {
+  std::ostringstream text;
+  text.precision(9);
+  text << "primitive " << int(hit.primitive) << " of instance " << int(hit.instance) << " at " << t;
+  return text.str();
+}
+
+// What differs between two answers, or "".
+std::string Difference(const Soup& soup, const Ray& ray, const Hit& expected, const Hit& found) {
+  if (expected.primitive == found.primitive && expected.instance == found.instance) return "";
+  std::ostringstream text;
+  text.precision(9);
+  text << "expected " << ToText(expected, soup.DistanceOf(expected, ray)) << ", found "
+       << ToText(found, soup.DistanceOf(found, ray)) << "; o " << ray.o.x << " " << ray.o.y << " "
+       << ray.o.z << " d " << ray.d.x << " " << ray.d.y << " " << ray.d.z;
+  return text.str();
+}
+
+class Agreement : public testing::TestWithParam<test::SoupKind> {};
+
+TEST_P(Agreement, WithBruteForce) {
+  Random random(700);
+  std::uint64_t rays = 0, hits = 0, wrong = 0;
+  for (std::uint64_t round = 0; round < test::Scaled(12); ++round) {
+    Soup soup;
+    GetParam().fill(soup, random, round % 4 == 0 ? 9 : 200);
+    if (soup.PrimitiveCount() == 0) continue;
+    Bvh bvh(soup.Geometry());
+    test::search::BruteForce brute = soup.BruteForce();
+    for (int i = 0; i < 1500; ++i) {
+      const Ray ray = test::RandomRay(random, soup);
+      const unsigned mask = random.Chance(0.5) ? kernel::MASK_ALL : 1u << random.Index(5);
+
+      // Without a limit, with one anywhere, with one at the hit and just before it
+      float tMax = random.Chance(0.7) ? kernel::Infinite : float(random.LogUniform(1e-3, 1e3));
+      Hit expected = brute.ClosestHit(ray, tMax, mask);
+      if (expected.primitive != kernel::None && random.Chance(0.2)) {
+        tMax = soup.DistanceOf(expected, ray);
+        if (random.Chance(0.5)) tMax = kernel::NextFloatDown(tMax);
+        expected = brute.ClosestHit(ray, tMax, mask);
+      }
+      ++rays;
+      if (expected.primitive != kernel::None) ++hits;
+      for (const InstructionSet set : SupportedInstructionSets()) {
+        bvh.Use(set);
+        const std::string difference =
+            Difference(soup, ray, expected, bvh.Closest(ray, tMax, mask));
+        const bool any = bvh.Any(ray, tMax, mask) == (expected.primitive != kernel::None);
+        if (difference.empty() && any) continue;
+        if (++wrong < 4)
+          ADD_FAILURE() << NameOf(set) << ": " << difference << (any ? "" : ", any differs");
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << "of " << rays;
+  EXPECT_GT(hits, rays / 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Agreement, testing::ValuesIn(test::SoupKinds()),
+                         [](const auto& soup) { return soup.param.name; });
+
+}  // namespace
+}  // namespace snell::bvh

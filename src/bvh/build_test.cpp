@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The built arrays themselves: every primitive in one leaf, boxes that hold what is below them, trees of
+// bounded depth whatever the input, the same bytes at any number of threads.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+
+#include "bvh/bvh.h"
+#include "support/soups.h"
+#include "util/threads.h"
+
+namespace snell::bvh {
+namespace {
+
+using test::Random;
+using test::Soup;
+
+// What a walk through one tree finds.
+struct Census {
+  std::map<std::uint32_t, int> triangles, shapes, instances;  // how often each was met
+  int depth = 0;
+  int stack = 0;  // the most entries that may wait while a ray goes down
+  std::size_t nodes = 0;
+  std::size_t faults = 0;
+};
+
+class Walker {
+ public:
+  Walker(const Bvh& bvh, const Geometry& geometry) : arrays_(bvh.arrays()), geometry_(geometry) {}
+
+  Census Walk(const Tree& tree) {
+    if (tree.root == None) return {};
+    constexpr float Inf = std::numeric_limits<float>::infinity();
+    Visit(tree.root, {vec3(-Inf), vec3(Inf)}, 1, 0);
+    for (const auto& [id, times] : census_.triangles) {
+      // The tree's reach must cover its vertices
+      const kernel::Triangle& t = geometry_.triangles[id];
+      for (const std::uint32_t v : {t.v0, t.v1, t.v2}) {
+        for (int axis = 0; axis < 3; ++axis) {
+          if (std::abs(geometry_.positions[v][axis]) > tree.reach[axis]) ++census_.faults;
+        }
+      }
+    }
+    return census_;
+  }
+
+ private:
+  static bool Holds(const Bounds& outer, vec3 p) {
+    return outer.lower.x <= p.x && outer.lower.y <= p.y && outer.lower.z <= p.z &&
+           p.x <= outer.upper.x && p.y <= outer.upper.y && p.z <= outer.upper.z;
+  }
+
+  void Visit(ChildRef ref, const Bounds& bounds, int depth, int waiting) {
+    census_.depth = std::max(census_.depth, depth);
+    census_.stack = std::max(census_.stack, waiting);
+    if (IsLeaf(ref)) return VisitLeaf(ref, bounds);
+    ++census_.nodes;
+    const WideNode& node = arrays_.nodes.at(ref);
+    int children = 0;
+    for (int i = 0; i < Width; ++i) children += node.bounds[0][i] <= node.bounds[3][i] ? 1 : 0;
+    if (children < 2) ++census_.faults;
+    for (int i = children; i < Width; ++i) census_.faults += node.child[i] != NoChild;
+    for (int i = 0; i < children; ++i) {
+      const Bounds box{{node.bounds[0][i], node.bounds[1][i], node.bounds[2][i]},
+                       {node.bounds[3][i], node.bounds[4][i], node.bounds[5][i]}};
+      if (!Holds(bounds, box.lower) || !Holds(bounds, box.upper)) ++census_.faults;
+      Visit(node.child[i], box, depth + 1, waiting + children - 1);
+    }
+  }
+
+  void VisitLeaf(ChildRef leaf, const Bounds& bounds) {
+    for (std::uint32_t i = FirstOf(leaf); i < FirstOf(leaf) + CountOf(leaf); ++i) {
+      switch (KindOf(leaf)) {
+        case LeafKind::Triangles: VisitBlock(arrays_.blocks.at(i), bounds); break;
+        case LeafKind::Shapes: VisitShape(arrays_.items.at(i), bounds); break;
+        case LeafKind::Instances: ++census_.instances[arrays_.items.at(i)]; break;
+        default: ++census_.faults;
+      }
+    }
+  }
+
+  void VisitBlock(const TriangleBlock& block, const Bounds& bounds) {
+    for (int lane = 0; lane < BlockWidth; ++lane) {
+      if (block.id[lane] == None) continue;
+      ++census_.triangles[block.id[lane]];
+      const kernel::Triangle& t = geometry_.triangles[block.id[lane]];
+      const std::uint32_t vertices[3] = {t.v0, t.v1, t.v2};
+      for (int v = 0; v < 3; ++v) {
+        const vec3 p(block.vertex[3 * v][lane], block.vertex[3 * v + 1][lane],
+                     block.vertex[3 * v + 2][lane]);
+        if (p != geometry_.positions[vertices[v]] || !Holds(bounds, p)) ++census_.faults;
+      }
+    }
+  }
+
+  void VisitShape(std::uint32_t id, const Bounds& bounds) {
+    ++census_.shapes[id];
+    const Bounds own = ShapeBounds(geometry_.shapes[id]);
+    if (!Holds(bounds, own.lower) || !Holds(bounds, own.upper)) ++census_.faults;
+  }
+
+  const WideArrays& arrays_;
+  const Geometry& geometry_;
+  Census census_;
+};
+
+// Of traverse.inl.
+constexpr int StackSize = 80 * (Width - 1) + 1;
+
+bool AllOnce(const std::map<std::uint32_t, int>& times, std::uint32_t first, std::size_t count) {
+  if (times.size() != count) return false;
+  for (const auto& [id, n] : times) {
+    if (n != 1 || id < first || id >= first + count) return false;
+  }
+  return true;
+}
+
+class Build : public testing::TestWithParam<test::SoupKind> {};
+
+TEST_P(Build, PutsEveryPrimitiveIntoOneLeafWithinItsBox) {
+  Random random(710);
+  for (const unsigned count : {1u, 2u, 3u, 7u, 8u, 9u, 40u, 300u, 3000u}) {
+    Soup soup;
+    GetParam().fill(soup, random, count);
+    const Geometry geometry = soup.Geometry();
+    const Bvh bvh(geometry);
+    EXPECT_EQ(bvh.droppedPrimitives(), 0u);
+    const Census world = Walker(bvh, geometry).Walk(bvh.trees()[0]);
+    EXPECT_EQ(world.faults, 0u);
+    EXPECT_TRUE(AllOnce(world.triangles, 0, geometry.worldTriangles));
+    EXPECT_LT(world.stack, StackSize);
+
+    // All but infinite shapes and instances of empty meshes
+    std::size_t shapes = 0, instances = 0;
+    for (const kernel::Shape& shape : geometry.shapes) shapes += shape.kind != kernel::SHAPE_PLANE;
+    for (const kernel::Instance& instance : geometry.instances)
+      instances += instance.triangleCount > 0;
+    EXPECT_EQ(world.shapes.size(), shapes);
+    EXPECT_EQ(world.instances.size(), instances);
+
+    // One tree per mesh, each with the mesh's triangles
+    for (const kernel::Instance& instance : geometry.instances) {
+      const Census mesh = Walker(bvh, geometry).Walk(bvh.trees().at(instance.root));
+      EXPECT_EQ(mesh.faults, 0u);
+      EXPECT_TRUE(AllOnce(mesh.triangles, instance.firstTriangle, instance.triangleCount));
+    }
+  }
+}
+
+TEST_P(Build, GivesTheSameBytesAtAnyNumberOfThreads) {
+  const auto build = [&](int threads) {
+    Random random(711);
+    Soup soup;
+    GetParam().fill(soup, random, 40000);
+    const ThreadLimit limit(threads);
+    const Bvh bvh(soup.Geometry());
+    std::string bytes;
+    const auto append = [&](const auto& array) {
+      bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0]));
+    };
+    append(bvh.arrays().nodes);
+    append(bvh.arrays().blocks);
+    append(bvh.arrays().items);
+    append(bvh.trees());
+    return bytes;
+  };
+  const std::string one = build(1);
+  for (const int threads : {2, 4, 0}) EXPECT_TRUE(build(threads) == one) << threads;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Build, testing::ValuesIn(test::SoupKinds()),
+                         [](const auto& soup) { return soup.param.name; });
+
+Census CensusOf(const std::vector<vec3>& corners) {
+  Soup soup;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    soup.AddTriangle(corners[i], corners[i + 1], corners[i + 2]);
+  const Geometry geometry = soup.Geometry();
+  const Bvh bvh(geometry);
+  return Walker(bvh, geometry).Walk(bvh.trees()[0]);
+}
+
+TEST(TreeDepth, IsLogarithmicForEqualTriangles) {
+  for (const bool points : {false, true}) {
+    std::vector<vec3> corners;
+    for (int i = 0; i < 100000; ++i)
+      corners.insert(corners.end(), {vec3(0), vec3(points ? 0 : 1, 0, 0), vec3(0, 0, 0)});
+    const Census census = CensusOf(corners);
+    EXPECT_EQ(census.triangles.size(), 100000u);
+    EXPECT_LE(census.depth, 17);
+    EXPECT_LE(census.nodes, 100000u / 4);
+  }
+}
+
+TEST(TreeDepth, IsBoundedForProgressionsOfSizes) {
+  // Along one axis and all, tiny ones that large ones hold, and many at each size
+  for (const double ratio : {1.05, 1.5, 2.0, 16.0}) {
+    for (const int copies : {1, 20}) {
+      for (const int pattern : {0, 1, 2}) {
+        std::vector<vec3> corners;
+        for (double s = 1e-17; s < 1e17; s *= ratio) {
+          const float f = float(s);
+          for (int copy = 0; copy < copies; ++copy) {
+            switch (pattern) {
+              case 0:
+                corners.insert(corners.end(), {vec3(f, 0, 0), vec3(f, f, 0), vec3(f, 0, f)});
+                break;
+              case 1:
+                corners.insert(corners.end(), {vec3(f), vec3(f, f, 0.5f * f), vec3(f * 1.1f)});
+                break;
+              case 2: corners.insert(corners.end(), {vec3(-f), vec3(f), vec3(f, -f, f)}); break;
+            }
+          }
+        }
+        const Census census = CensusOf(corners);
+        EXPECT_EQ(census.faults, 0u);
+        EXPECT_EQ(census.triangles.size(), corners.size() / 3);
+        EXPECT_LE(census.depth, 80);
+        EXPECT_LT(census.stack, StackSize);
+      }
+    }
+  }
+}
+
+TEST(TreeDepth, StaysSmallForOrdinaryMeshes) {
+  const test::TriangleMesh mesh = test::Icosphere(5);
+  Soup soup;
+  soup.AddWorldMesh(mesh);
+  const Geometry geometry = soup.Geometry();
+  const Bvh bvh(geometry);
+  const Census census = Walker(bvh, geometry).Walk(bvh.trees()[0]);
+  EXPECT_LE(census.depth, 10);
+  // Leaves are well filled: at least two triangles to a block
+  EXPECT_LE(bvh.arrays().blocks.size(), mesh.triangles.size() / 2);
+  EXPECT_EQ(bvh.MemoryBytes(), bvh.arrays().nodes.size() * sizeof(WideNode) +
+                                   bvh.arrays().blocks.size() * sizeof(TriangleBlock) +
+                                   bvh.trees().size() * sizeof(Tree));
+}
+
+}  // namespace
+}  // namespace snell::bvh

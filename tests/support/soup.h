@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Geometry without a scene, as a BVH takes it: triangles in world space, shapes, and instances of meshes, each
+// with a mask of its own. The search to compare with is the GPU's, which asks every primitive in turn.
+#pragma once
+
+#include <vector>
+
+#include "bvh/geometry.h"
+#include "kernel/triangle.h"
+#include "support/meshes.h"
+#include "support/shapes.h"
+
+namespace snell::test {
+
+namespace search {
+
+using namespace kernel;
+
+struct PrimitiveCounts {
+  uint shapes;
+  uint worldTriangles;
+  uint instances;
+};
+
+struct BruteForce {
+  PrimitiveCounts counts;
+  const Object* objects;
+  const Shape* shapes;
+  const Instance* instances;
+  const Mesh* meshes;
+  const Triangle* triangles;
+  const vec3* positions;
+
+#include "gpu/shaders/brute_force.glsl"
+};
+
+}  // namespace search
+
+class Soup {
+ public:
+  // Triangles in world space must come before meshes for instances.
+  void AddTriangle(vec3 a, vec3 b, vec3 c, unsigned mask = kernel::MASK_ALL) {
+    AddMesh({{a, b, c}, {{0, 1, 2}}}, AddObject(mask));
+    worldTriangles_ = unsigned(triangles_.size());
+  }
+  void AddWorldMesh(const TriangleMesh& mesh, unsigned mask = kernel::MASK_ALL) {
+    AddMesh(mesh, AddObject(mask));
+    worldTriangles_ = unsigned(triangles_.size());
+  }
+  void AddShape(kernel::Shape shape, unsigned mask = kernel::MASK_ALL) {
+    shape.object = AddObject(mask);
+    shapes_.push_back(shape);
+  }
+  // Returns an instance of the mesh that is not yet in the soup.
+  kernel::Instance AddMesh(const TriangleMesh& mesh) {
+    const unsigned first = unsigned(triangles_.size());
+    AddMesh(mesh, kernel::None);
+    return {0, 0, first, unsigned(mesh.triangles.size()), {}};
+  }
+  void AddInstance(kernel::Instance instance, const glm::dmat4& map,
+                   unsigned mask = kernel::MASK_ALL) {
+    instance.object = AddObject(mask);
+    instance.toWorld = ToKernel(map);
+    instances_.push_back(instance);
+  }
+
+  // Views; the soup must not move or grow while they are used.
+  bvh::Geometry Geometry() {
+    return {positions_, triangles_, meshes_, shapes_, instances_, objects_, worldTriangles_};
+  }
+  search::BruteForce BruteForce() const {
+    return {{unsigned(shapes_.size()), worldTriangles_, unsigned(instances_.size())},
+            objects_.data(),
+            shapes_.data(),
+            instances_.data(),
+            meshes_.data(),
+            triangles_.data(),
+            positions_.data()};
+  }
+
+  // The t of what a search found; 0 for nothing.
+  float DistanceOf(const kernel::Hit& hit, const kernel::Ray& ray) const {
+    if (hit.primitive == kernel::None) return 0;
+    if (hit.instance == kernel::INSTANCE_SHAPE)
+      return kernel::IntersectShape(shapes_[hit.primitive], ray.o, ray.d);
+    kernel::Ray local = ray;
+    if (hit.instance != kernel::None)
+      local = kernel::ToLocalRay(instances_[hit.instance].toWorld, ray.o, ray.d);
+    const kernel::Triangle& t = triangles_[hit.primitive];
+    return kernel::IntersectTriangle(kernel::Shear(local.o, local.d), positions_[t.v0],
+                                     positions_[t.v1], positions_[t.v2])
+        .t;
+  }
+
+  // A point on the surface of some primitive: often a corner or on an edge.
+  glm::dvec3 PointOnSurface(Random& random) const;
+
+  std::size_t PrimitiveCount() const {
+    return worldTriangles_ + shapes_.size() + instances_.size();
+  }
+
+ private:
+  unsigned AddObject(unsigned mask) {
+    objects_.push_back({0, mask, kernel::None, ToKernel(glm::dmat4(1.0))});
+    return unsigned(objects_.size()) - 1;
+  }
+  void AddMesh(const TriangleMesh& mesh, unsigned object) {
+    const unsigned first = unsigned(positions_.size());
+    for (const uvec3 t : mesh.triangles)
+      triangles_.push_back({first + t.x, first + t.y, first + t.z, unsigned(meshes_.size())});
+    positions_.insert(positions_.end(), mesh.positions.begin(), mesh.positions.end());
+    meshes_.push_back({object, kernel::None, kernel::None});
+  }
+
+  std::vector<kernel::vec3> positions_;
+  std::vector<kernel::Triangle> triangles_;
+  std::vector<kernel::Mesh> meshes_;
+  std::vector<kernel::Shape> shapes_;
+  std::vector<kernel::Instance> instances_;
+  std::vector<kernel::Object> objects_;
+  unsigned worldTriangles_ = 0;
+};
+
+inline glm::dvec3 Soup::PointOnSurface(Random& random) const {
+  const unsigned i = random.Index(unsigned(PrimitiveCount()));
+  const auto onTriangle = [&](unsigned index) {
+    const kernel::Triangle& t = triangles_[index];
+    return PointOn(random, glm::dvec3(positions_[t.v0]), glm::dvec3(positions_[t.v1]),
+                   glm::dvec3(positions_[t.v2]));
+  };
+  if (i < worldTriangles_) return onTriangle(i);
+  if (i < worldTriangles_ + shapes_.size()) {
+    const kernel::Shape& shape = shapes_[i - worldTriangles_];
+    return ExactToWorld(shape.toWorld, RandomSurfacePoint(random, ReferenceShape(shape)));
+  }
+  const kernel::Instance& instance = instances_[i - worldTriangles_ - shapes_.size()];
+  if (instance.triangleCount == 0) return glm::dvec3(instance.toWorld.origin);
+  return ExactToWorld(instance.toWorld,
+                      onTriangle(instance.firstTriangle + random.Index(instance.triangleCount)));
+}
+
+}  // namespace snell::test
