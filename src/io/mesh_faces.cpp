@@ -81,7 +81,6 @@ std::vector<uvec3> CutFaces(const FaceSet& faces, const MeshFile& file) {
   if (cutter.fans() > 0)
     file.Warn(fmt::format("{} too intricate: cut as if convex", Plural(cutter.fans(), "polygon")),
               file.AtLine(0));
-  if (triangles.empty()) throw Error("no face has an area and finite coordinates", file.AtLine(0));
   return triangles;
 }
 
@@ -182,6 +181,7 @@ Mesh BuildMesh(FaceSet faces, const MeshFile& file) {
   const std::vector<Origin> vertices = JoinCorners(faces, mesh.triangles);
   mesh.positions.reserve(vertices.size());
   for (const Origin& vertex : vertices) mesh.positions.push_back(faces.positions[vertex.position]);
+  if (!HasArea(mesh)) throw Error("no face has an area and finite coordinates", file.AtLine(0));
 
   const auto present = [](std::uint32_t index) { return index != NoIndex; };
   if (faces.uvsGoWithPositions || std::any_of(faces.uvOf.begin(), faces.uvOf.end(), present)) {

@@ -33,13 +33,17 @@ constexpr std::size_t BlockSize = 2048;
 // Faces around a place that are compared one with another.
 constexpr std::size_t FewFaces = 64;
 
+// Straight out of a triangle, as long as twice its area.
+dvec3 AreaNormal(const Mesh& mesh, const uvec3& t) {
+  const dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+  return glm::cross(b - a, c - a);
+}
+
 // Unit length, or zero for a triangle without area.
 std::vector<vec3> FaceNormals(const Mesh& mesh) {
   std::vector<vec3> normals(mesh.triangles.size());
   tbb::parallel_for(std::size_t(0), normals.size(), [&](std::size_t i) {
-    const uvec3 t = mesh.triangles[i];
-    const dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
-    const dvec3 normal = glm::cross(b - a, c - a);
+    const dvec3 normal = AreaNormal(mesh, mesh.triangles[i]);
     const double length = glm::length(normal);
     normals[i] = length > 0 ? vec3(normal / length) : vec3(0.0f);
   });
@@ -185,6 +189,11 @@ std::vector<Block> MakeVertices(const Mesh& mesh, const CornerLists& lists, doub
 }
 
 }  // namespace
+
+bool HasArea(const Mesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const uvec3& t) { return glm::length(AreaNormal(mesh, t)) > 0; });
+}
 
 void SmoothNormals(Mesh& mesh, float creaseDegrees) {
   mesh.normals = {};

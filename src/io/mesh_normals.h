@@ -10,6 +10,9 @@
 
 namespace snell::io {
 
+// Whether any triangle has an area, and by it a normal.
+bool HasArea(const scene::Mesh& mesh);
+
 // Replace the mesh's normals. Faces that meet at more than `creaseDegrees` share no vertex afterwards;
 // those that meet at less share one if their uvs agree. Vertices count as one where their positions are
 // equal, so that a seam between uvs does not show. Vertices that no triangle uses are dropped. With 0 or

@@ -72,8 +72,7 @@ IndexFault CheckCorner(std::string_view word) {
 
 ObjLines::ObjLines(MeshFile& file)
     : file_(file), next_(file.bytes.data()), end_(next_ + file.bytes.size()) {
-  if (file.bytes.find('\0') != std::string::npos)
-    throw Error("not a text file in ASCII or UTF-8: it holds zero bytes", file.AtLine(0));
+  RequireText(file.bytes, file.name);
   if (std::string_view(file.bytes).starts_with("\xef\xbb\xbf")) next_ += 3;
 
   // Carriage returns alone were the line ends of old Macs

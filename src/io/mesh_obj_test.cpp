@@ -227,6 +227,8 @@ TEST(MeshObj, FilesWithoutFacesSayWhatTheyHave) {
   EXPECT_EQ(ReadObjText(std::string(Square) + "l 1 2 3\np 1\np 2\n").error,
             "test.obj: there are no faces to render; the file has 4 vertex statements, 2 point "
             "statements, 1 line statement");
+  EXPECT_EQ(ReadObjText("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 1 2\nf 1 2 3\n").error,
+            "test.obj: no face has an area and finite coordinates");
   EXPECT_EQ(ReadObjText(std::string("v 0 0 0\0f", 9)).error,
             "test.obj: not a text file in ASCII or UTF-8: it holds zero bytes");
 }

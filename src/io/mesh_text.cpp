@@ -5,6 +5,8 @@
 #include <charconv>
 #include <limits>
 
+#include "util/error.h"
+
 namespace snell::io {
 
 std::string_view TextScanner::TakeWord() {
@@ -42,6 +44,13 @@ int TextScanner::Line() const {
     if (IsLineEnd(text_[i]) && !pair) ++line;
   }
   return line;
+}
+
+void RequireText(std::string_view bytes, const std::string& file) {
+  if (bytes.find('\0') == bytes.npos) return;
+  const bool utf16 = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+  throw Error("not a text file in ASCII or UTF-8: it holds zero bytes", {file},
+              utf16 ? "it seems to be UTF-16; save it as UTF-8" : "");
 }
 
 bool ParseNumber(std::string_view word, double& value) {

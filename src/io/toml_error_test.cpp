@@ -51,6 +51,14 @@ const Mistake Keys[] = {
      "1:1: missing key 'edge_v' in [[light]] (rectangle)"},
     {"[camera]\nlook_at = [0, 0, 0]\ndirection = [0, 0, -1]",
      "3:1: 'look_at' and 'direction' exclude each other in [camera] (pinhole)"},
+    {"[[object]]\nshape = \"cylinder\"\nend = [0, 2, 0]",
+     "3:1: unknown key 'end' in [[object]] (cylinder); did you mean 'top'?"},
+    {"[[object]]\nmesh = \"bunny.ply\"",
+     "2:8: 'mesh': expected a table with positions and faces, found a string; the key of mesh "
+     "files is 'file'"},
+    {"[[object]]\nmesh = { positions = [[0, 0, 0], [1, 1, 1], [2, 2, 2]], triangles = [[0, 1, 2]] "
+     "}",
+     "2:8: no face of the mesh has an area"},
     {"[camera]\nheight = 3",
      "2:1: unknown key 'height' in [camera] (pinhole); it belongs to type \"orthographic\""},
     {"[environment]\nbottom = 0\ncolor = 1",

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "io/mesh_text.h"
 #include "io/toml_limits.h"
 
 namespace snell::io {
@@ -77,6 +78,7 @@ std::string Node::Description() const {
 }
 
 std::shared_ptr<const toml::node> ParseToml(std::string_view text, const std::string& file) {
+  RequireText(text, file);
   CheckTomlLimits(text, file);
   try {
     return std::make_shared<toml::table>(toml::parse(text, file));

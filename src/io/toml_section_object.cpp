@@ -4,6 +4,7 @@
 // written in the scene, and placed groups.
 #include <fmt/format.h>
 
+#include "io/mesh_normals.h"
 #include "io/read_mesh.h"
 #include "io/toml_sections.h"
 
@@ -18,8 +19,10 @@ static void FinishFile(Reader& reader, const Fields& fields, ObjectDraft& draft)
       reader.meshes.Request(draft.file, draft.smooth, draft.ignoreNormals, fields.PlaceOf("file"));
 }
 
-static void FinishInlineMesh(Reader& reader, const Fields&, ObjectDraft& draft) {
-  draft.meshes = reader.meshes.Add(BuildMesh(draft.mesh));
+static void FinishInlineMesh(Reader& reader, const Fields& fields, ObjectDraft& draft) {
+  scene::Mesh mesh = BuildMesh(draft.mesh);
+  if (!HasArea(mesh)) reader.Report("no face of the mesh has an area", fields.PlaceOf("mesh"));
+  draft.meshes = reader.meshes.Add(std::move(mesh));
 }
 
 static void FinishObject(Reader& reader, const Fields& fields, ObjectDraft& draft) {
@@ -77,10 +80,20 @@ static VariantOf<ObjectDraft> FileVariant() {
       .Checked(FinishFile);
 }
 
+// A name is the mistake that is made most often here.
+static Type<MeshDraft> InlineMesh() {
+  Type<MeshDraft> type = TableOf(MeshSection, "a table with positions and faces");
+  type.read = [read = type.read, expected = type.expected](Reader& reader, const Node& value,
+                                                           MeshDraft& mesh) {
+    if (value.String()) return reader.Refuse(value, expected, "the key of mesh files is 'file'");
+    return read(reader, value, mesh);
+  };
+  return type;
+}
+
 static VariantOf<ObjectDraft> MeshVariant() {
   const auto mesh =
-      Field("mesh", &ObjectDraft::mesh, TableOf(MeshSection, "a table with positions and faces"),
-            "The mesh.")
+      Field("mesh", &ObjectDraft::mesh, InlineMesh(), "The mesh.")
           .Required()
           .Example("{ positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }");
   return VariantOf<ObjectDraft>("mesh",

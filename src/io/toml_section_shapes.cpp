@@ -105,8 +105,9 @@ static KeyOf<Shape> RadiusKey() {
 // Both ends of cylinder and cone, and what closes them.
 static Keys<Cone> EndKeys() {
   return {Field("base", &Cone::base, Point(), "Centre of the lower end.")
-              .Not({"bottom", "center", "from"}),
-          Field("top", &Cone::top, Point(), "Centre of the upper end.").Not({"to", "apex"}),
+              .Not({"bottom", "center", "from", "start"}),
+          Field("top", &Cone::top, Point(), "Centre of the upper end.")
+              .Not({"to", "apex", "end", "height", "length"}),
           Field("capped", &Cone::capped, Boolean(), "Whether disks close the ends.")
               .Not({"caps", "closed"})};
 }
