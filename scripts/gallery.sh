@@ -69,7 +69,9 @@ for scene in "$scenes"/*.toml; do
 done
 
 mkdir -p "$pictures"
-if [[ ${1:-} != --page ]]; then
-  for name in ${*:-$all}; do render "$name"; done
+if (($# == 0)); then
+  for name in $all; do render "$name"; done
+elif [[ $1 != --page ]]; then
+  for name in "$@"; do render "$name"; done
 fi
 write_page >"$page"
