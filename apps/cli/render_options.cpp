@@ -57,7 +57,7 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
 }
 
 void AddMeshOptions(CLI::App& command, RenderArguments& a) {
-  AddChoice(command, "--up", "y|z", a.up, "Mesh files: the axis that points up (y)");
+  AddChoice(command, "--up", "y|z", a.up, "Mesh files: the axis that points up (y; STL: z)");
   AddValue(command, "--smooth", "DEGREES", Number(0, 180), a.smooth,
            "Mesh files without normals: shade edges below this angle smoothly; 0: flat");
 }
@@ -97,7 +97,7 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
 
 LoadOptions LoadOptionsOf(const RenderArguments& arguments) {
   LoadOptions options;
-  options.zUp = arguments.up == "z";
+  if (arguments.up) options.zUp = *arguments.up == "z";
   options.smooth = arguments.smooth;
   return options;
 }

@@ -22,7 +22,8 @@ struct Scene;
 // How to open a file.
 struct LoadOptions {
   WarningSink warn = {};  // receives what was repaired or is doubtful
-  bool zUp = false;       // bare meshes: the file's z axis points up (CAD, 3D printing)
+  // bare meshes: whether the file's z axis points up; if not set, it does in STL alone
+  std::optional<bool> zUp = {};
   std::optional<float> smooth =
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/mesh_test_files.h"
+#include "io/read_scene.h"
 
 namespace snell::io {
 namespace {
@@ -84,6 +85,21 @@ TEST(MeshStl, ReadsText) {
     EXPECT_EQ(result.mesh.name, upper == 0 ? "my cube" : "MY CUBE");
     for (char& c : text) c = c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c == '\n' ? '\r' : c;
   }
+}
+
+TEST(MeshStl, ZPointsUpUnlessTheCallerSaysOtherwise) {
+  const TemporaryFile stl("a.stl", Text(CubeCorners(), "cube"));
+  const TemporaryFile obj("a.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  const auto up = [](const TemporaryFile& file, std::optional<bool> zUp) {
+    const scene::Scene scene = ReadScene(file.path(), {.zUp = zUp, .smooth = {}}, {});
+    return glm::dvec3(scene.objects[0].toWorld * glm::dvec4(0, 0, 1, 0));
+  };
+  const glm::dvec3 y(0, 1, 0), z(0, 0, 1);
+  EXPECT_EQ(up(stl, {}), y);
+  EXPECT_EQ(up(stl, true), y);
+  EXPECT_EQ(up(stl, false), z);
+  EXPECT_EQ(up(obj, {}), z);
+  EXPECT_EQ(up(obj, true), y);
 }
 
 TEST(MeshStl, SeveralSolidsAndLoopsOfMoreCorners) {

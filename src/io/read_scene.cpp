@@ -9,6 +9,7 @@
 #include "io/toml_scene.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
+#include "util/file.h"
 
 namespace snell::io {
 
@@ -22,6 +23,7 @@ static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOp
                                  const WarningSink& warn) {
   MeshReadOptions meshOptions;
   if (options.smooth) meshOptions.smoothDegrees = *options.smooth;
+  const bool zUp = options.zUp.value_or(LowerExtension(path) == "stl");
   scene::Scene scene;
   scene.materials.push_back(scene::DefaultMaterial());
   scene.meshes = ReadMesh(path, meshOptions, warn);
@@ -30,7 +32,7 @@ static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOp
     object.name = scene.meshes[i].name;
     object.geometry = scene::MeshGeometry{int(i)};
     object.material = 0;
-    if (options.zUp) object.toWorld = ZUpToYUp();
+    if (zUp) object.toWorld = ZUpToYUp();
     object.place.file = path.string();
     scene.objects.push_back(object);
   }

@@ -12,7 +12,9 @@
 namespace snell::io {
 
 struct ReadOptions {
-  bool zUp = false;             // the file's z axis points up; turned to y. For bare meshes only.
+  // For bare meshes: whether the file's z axis points up, to be turned to y. Without a word it does in STL,
+  // which is the language of 3D printing, and does not in others.
+  std::optional<bool> zUp;
   std::optional<float> smooth;  // crease angle in degrees for bare meshes without normals; 0: flat
 };
 

@@ -23,7 +23,7 @@ namespace {
 // Collects the box of a geometry after the object's transform.
 struct Collector {
   const Scene& scene;
-  const Affine& toWorld;
+  Affine toWorld;
   Box3 box = {};
 
   void AddPoint(glm::dvec3 p) { box.Extend(glm::dvec3(toWorld * glm::dvec4(p, 1))); }
@@ -83,15 +83,19 @@ struct Collector {
 
 }  // namespace
 
-Box3 BoundsOf(const Scene& scene, const Object& object) {
-  Collector collector{scene, object.toWorld};
+static Box3 BoundsOf(const Scene& scene, const Object& object, const Affine& map) {
+  Collector collector{scene, map * object.toWorld};
   std::visit(collector, object.geometry);
   return collector.box;
 }
 
-Box3 BoundsOf(const Scene& scene) {
+Box3 BoundsOf(const Scene& scene, const Object& object) {
+  return BoundsOf(scene, object, Affine(1.0));
+}
+
+Box3 BoundsOf(const Scene& scene, const Affine& map) {
   Box3 box;
-  for (const Object& object : scene.objects) box.Extend(BoundsOf(scene, object));
+  for (const Object& object : scene.objects) box.Extend(BoundsOf(scene, object, map));
   return box;
 }
 

@@ -24,7 +24,8 @@ struct Box3 {
 // The world-space box of an object; empty for infinite planes and meshes without finite vertices.
 Box3 BoundsOf(const Scene& scene, const Object& object);
 
-// The box of all objects that have one.
-Box3 BoundsOf(const Scene& scene);
+// The box of all objects that have one; in other coordinates if these come from the world's by `map`, which
+// may be any affine map.
+Box3 BoundsOf(const Scene& scene, const Affine& map = Affine(1.0));
 
 }  // namespace snell::scene

@@ -7,8 +7,8 @@
 
 namespace snell::scene {
 
-// A camera that shows all objects from the front, a little from the right and from above, and fills a
-// picture of this width divided by height.
+// A camera that shows all objects from the front, a little from the right and from above, and as large as
+// a picture of this width divided by height allows.
 Camera DefaultCamera(const Scene& scene, double aspect);
 
 // Set a scene that has only objects into a studio: an endless neutral ground under the lowest point, a key
