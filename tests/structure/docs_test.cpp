@@ -114,6 +114,37 @@ TEST(Documents, TheTourNamesNineFiles) {
   EXPECT_EQ(stops.size(), 9u);
 }
 
+// What a scene of the gallery says of itself: the words of its first comment, its title's first.
+std::string FirstComment(const TextFile& scene) {
+  std::string text;
+  for (const std::string& line : scene.lines) {
+    if (!line.starts_with("#")) break;
+    if (line.size() > 2) text += (text.empty() ? "" : " ") + line.substr(2);
+  }
+  return text;
+}
+
+TEST(Documents, TheGalleryShowsEveryScene) {
+  std::string gallery;
+  for (const std::string& line : Read("docs/gallery.md").lines) gallery += line + "\n";
+  const auto scenes = FilesBelow("scenes/gallery", {".toml"});
+  EXPECT_GT(scenes.size(), 20u);
+  for (const TextFile& scene : scenes) {
+    if (FolderOf(scene.path) != "scenes/gallery") continue;  // parts of scenes
+    EXPECT_NE(gallery.find("(../" + scene.path + ")"), std::string::npos) << scene.path;
+    EXPECT_TRUE(Exists("docs/images/gallery/" + StemOf(scene.path) + ".jpg")) << scene.path;
+
+    // The page repeats the scene's words; scripts/gallery.sh copies them
+    const std::string mark = " What to see: ", comment = FirstComment(scene);
+    const std::size_t at = comment.find(mark);
+    ASSERT_NE(at, std::string::npos) << scene.path << " does not say what to see";
+    const std::string title = comment.substr(0, at);
+    const std::string rest = comment.substr(at + mark.size() + 1);  // begins with a capital there
+    EXPECT_NE(gallery.find("[" + title + "]"), std::string::npos) << scene.path << ": " << title;
+    EXPECT_NE(gallery.find(rest), std::string::npos) << scene.path << ": " << rest;
+  }
+}
+
 TEST(Comments, NameRealFiles) {
   for (const TextFile& file : FilesBelow(
            "", {".h", ".cpp", ".inl", ".glsl", ".comp", ".cmake", "CMakeLists.txt", ".sh"})) {
