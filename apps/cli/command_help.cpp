@@ -52,7 +52,7 @@ void AddHelpCommand(Program& program) {
 
 void AddVersionOption(Program& program) {
   program.app.add_flag_callback(
-      "--version", [&program] { program.run = PrintVersion; },
+      "-V,--version", [&program] { program.run = PrintVersion; },
       "Print the version, the build and the instruction sets that this processor runs");
 }
 

@@ -25,8 +25,12 @@ constexpr const char* Details =
     "Renders SCENE and writes one or more pictures. A mesh is framed by a camera and lit by "
     "three lights. What the scene says about size and samples is the default of these "
     "options.\n\n"
+    "  snell render part.obj --up z --size 1200 -o part.jpg\n"
+    "  snell render scene.toml --spp 64 -o scene.png -o scene.exr\n"
+    "  snell render scene.toml --crop 100,50,300,200 -o detail.png\n\n"
     "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program "
-    "at once.";
+    "at once. The exit status is 0 if all is well, 1 if a file or the memory is at fault, 2 if the "
+    "command line is wrong, and 130 after Ctrl-C.";
 
 ProgressStyle StyleOf(const RenderArguments& arguments) {
   return arguments.quiet ? ProgressStyle::None : SuitableStyle();
@@ -127,13 +131,13 @@ int RunRender(const RenderArguments& arguments) {
   std::vector<Output> outputs = OutputsOf(arguments);
   IgnoreWriteSignals();
   CheckOutputs(arguments, outputs);
-  if (!arguments.quiet && arguments.outputs.empty())
-    PrintNote(
-        fmt::format("the picture will be '{}'; -o chooses another name", outputs[0].path.string()));
 
   RenderSummary summary;
   summary.scene = arguments.scene;
   const Scene scene = Load(arguments, summary);
+  if (!arguments.quiet && arguments.outputs.empty())
+    PrintNote(
+        fmt::format("the picture will be '{}'; -o chooses another name", outputs[0].path.string()));
 
   // Render until done or told to stop
   const StopOnSignal stop;

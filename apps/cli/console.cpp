@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -24,6 +26,13 @@ void PrintLine(std::string_view kind, std::string text) {
 }
 
 }  // namespace
+
+void ReserveStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest free number is the stream's; what is open for reading cannot be written to
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != stream) return;
+  }
+}
 
 void PrintNote(std::string_view text) { PrintLine("", std::string(text)); }
 void PrintParagraph(std::string_view text) { WriteLines("snell: " + Printable(text)); }

@@ -11,6 +11,10 @@
 
 namespace snell::cli {
 
+// Give each standard stream that is closed a place, so that no file that is opened later takes it and
+// receives what is printed. Printing to such a stream still fails.
+void ReserveStandardStreams();
+
 // "snell: text"
 void PrintNote(std::string_view text);
 // The same for several lines, which stay as they are.

@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <system_error>
 
 #include "cli/console.h"
@@ -46,21 +42,6 @@ std::vector<fs::path> RescuePlaces(const fs::path& path) {
   return places;
 }
 
-// Whether it must be written to as it is, not replaced: a pipe or a device, such as /dev/null.
-bool IsSpecial(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
-         !fs::is_directory(path, ignored);
-}
-
-void WriteToSpecial(const fs::path& path, std::string_view text) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "w"),
-                                                             std::fclose);
-  if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0)
-    throw Error(fmt::format("cannot write: {}", std::strerror(errno)), {path.string()});
-}
-
 }  // namespace
 
 Written WriteOrRescue(const Output& output, const Picture& picture) {
@@ -83,14 +64,12 @@ Written WriteOrRescue(const Output& output, const Picture& picture) {
 }
 
 void CheckTextWritable(const std::string& name) {
-  if (name != "-" && !IsSpecial(name)) AtomicFile attempt{fs::path(name)};
+  if (name != "-") CheckFileWritable(name);
 }
 
 void WriteText(const std::string& name, std::string_view text) {
   if (name == "-")
     PrintOut(text);
-  else if (IsSpecial(name))
-    WriteToSpecial(name, text);
   else
     WriteFile(name, text);
 }

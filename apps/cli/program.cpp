@@ -54,6 +54,7 @@ Program::Program()
 }
 
 int Run(Program& program, int argc, const char* const* argv) {
+  ReserveStandardStreams();
   try {
     Parse(program, std::vector<std::string>(argv + (argc > 0), argv + argc));
     return program.run();

@@ -29,14 +29,17 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddFlag(command, "--float", a.exrFloat, "EXR: 32-bit floats instead of 16-bit ones");
   AddValue(command, "--quality", "N", WholeNumber(1, 100), a.quality,
            fmt::format("JPEG: quality from 1 to 100 ({})", PictureOptions{}.jpegQuality));
-  AddValue(command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
-           "PNG and JPEG: brighten by this many factors of two; EXR and HDR stay linear");
+  AddValue(
+      command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
+      "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
+      "linear");
 }
 
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
   AddValue<std::pair<int, int>>(
       command, "--size", "WxH", ReadSize, a.size,
-      "Width and height in pixels; one alone (800 or x600) keeps the proportions");
+      "Width and height in pixels (the scene's, or 800x600); one alone, 1200 or x900, keeps the "
+      "proportions");
   AddValue<std::array<int, 4>>(command, "--crop", "X0,Y0,X1,Y1", ReadCrop, a.crop,
                                "Render only this part of the picture, in pixels from its top left "
                                "corner; X1 and Y1 are left out");
@@ -45,15 +48,16 @@ void AddViewOptions(CLI::App& command, RenderArguments& a) {
 }
 
 void AddQualityOptions(CLI::App& command, RenderArguments& a) {
-  AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp, "Samples per pixel");
+  AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
+           "Samples per pixel (the scene's, or 16)");
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,
       "Only the samples from number A up to B, which is left out");
   AddChoice(command, "--integrator", "whitted", a.integrator, "How light is followed");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
-           "Longest chain of reflections and refractions; 1: none");
+           "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
-           "Follow no ray that adds less than this to its pixel");
+           "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
 }
 
 void AddMeshOptions(CLI::App& command, RenderArguments& a) {
@@ -76,6 +80,17 @@ bool AnyIs(const std::vector<Output>& outputs, std::initializer_list<const char*
   return std::any_of(outputs.begin(), outputs.end(), [&](const Output& output) {
     return std::count(extensions.begin(), extensions.end(), LowerExtension(output.path)) > 0;
   });
+}
+
+// What is written last must not replace a picture or the scene.
+void CheckStatistics(const std::string& name, const std::string& scene,
+                     const std::set<fs::path>& pictures) {
+  std::error_code ignored;
+  const bool isPicture = pictures.count(fs::path(name).lexically_normal()) > 0;
+  const bool isScene = fs::equivalent(name, scene, ignored);
+  if (isPicture || isScene)
+    throw UsageError(fmt::format("--stats names '{}', which is {}", name,
+                                 isPicture ? "a picture" : "the scene"));
 }
 
 }  // namespace
@@ -133,6 +148,8 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
     output.options.jpegQuality = arguments.quality.value_or(output.options.jpegQuality);
     outputs.push_back(std::move(output));
   }
+
+  if (arguments.stats) CheckStatistics(*arguments.stats, arguments.scene, seen);
 
   // An option that changes nothing is a misunderstanding
   const auto require = [&](bool given, const char* option,

@@ -59,7 +59,11 @@ std::string UnknownOption(const CLI::App& program, const CLI::App* chosen,
                            option);
     }
   }
-  const Command command = chosen ? DescribeChosen(program) : Describe(program, program.get_name());
+  const Command whole = Describe(program, program.get_name());
+  if (chosen && Find(whole, option))
+    return fmt::format("the option '{}' comes without a command: {} {}", option, whole.name,
+                       option);
+  const Command command = chosen ? DescribeChosen(program) : whole;
   std::string hint;
   if (option.size() > 2) hint = DidYouMean(option, OptionNames(command));
   if (hint.empty()) hint = fmt::format("'{} --help' lists the options", command.name);
@@ -119,7 +123,9 @@ std::string UnknownCommandText(const CLI::App& program, const std::string& word)
     return fmt::format("'{}' is not a command; to render it: snell render {}", word, word);
   std::vector<std::string> names;
   for (const Command& command : Describe(program).commands) names.push_back(command.ShortName());
-  std::string hint = DidYouMean(word, names);
+  std::vector<std::string> candidates = OptionNames(Describe(program, program.get_name()));
+  candidates.insert(candidates.begin(), names.begin(), names.end());
+  std::string hint = DidYouMean(word, candidates);
   if (hint.empty()) hint = fmt::format("the commands are: {}", fmt::join(names, ", "));
   return fmt::format("unknown command '{}'; {}", word, hint);
 }

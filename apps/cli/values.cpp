@@ -124,6 +124,7 @@ std::pair<std::uint32_t, std::uint32_t> ReadSampleRange(const std::string& text)
 std::string ReadText(const std::string& text) { return text; }
 
 std::string ReadPictureName(const std::string& text) {
+  if (text[0] == '=') throw BadValue("is written -o FILE or --output=FILE");
   const std::vector<std::string> known = Split(KnownPictureExtensions(), ',');
   const std::string extension = LowerExtension(text);
   for (const std::string& name : known) {

@@ -82,8 +82,7 @@ void CheckWritable(const fs::path& path, const WriteOptions& options) {
   if (fs::is_directory(path, ignored))
     throw Error("there is a folder of this name", {path.string()});
 
-  // Begin to write in earnest: whatever the system objects to, it says now. The file is not touched.
-  AtomicFile attempt(path);
+  CheckFileWritable(path);
 }
 
 void WriteImage(const fs::path& path, const Image& image, const WriteOptions& options) {

@@ -40,16 +40,25 @@ static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOp
   return scene;
 }
 
+// No reader is known for the file; if there is none, that is said first.
+[[noreturn]] static void Refuse(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) ReadFile(path);
+  throw Error("the file's kind is not known by its extension", {path.string()},
+              fmt::format("Snell opens {}", KnownFormats()));
+}
+
 scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& options,
                        const WarningSink& warn) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw Error("this is a folder, not a file", {path.string()});
   scene::Scene scene;
   switch (FormatOf(path)) {
     case Format::Toml: scene = ReadToml(path, warn); break;
     case Format::Nff: scene = ReadNff(path, warn); break;
     case Format::Mesh: scene = ReadBareMesh(path, options, warn); break;
-    case Format::Unknown:
-      throw Error("the file's kind is not known by its extension", {path.string()},
-                  fmt::format("Snell opens {}", KnownFormats()));
+    case Format::Unknown: Refuse(path);
   }
   scene.name = path.string();
   scene::Validate(scene, warn);

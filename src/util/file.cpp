@@ -119,6 +119,14 @@ void AtomicFile::Fail(const char* verb) {
   throw Error(fmt::format("cannot {} the file: {}", verb, Reason()), {path_.string()});
 }
 
+void CheckFileWritable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool special =
+      fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+  if (!special) AtomicFile attempt(path);
+}
+
 void WriteFile(const fs::path& path, std::string_view bytes) {
   AtomicFile file(path);
   file.Write(bytes);

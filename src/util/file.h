@@ -51,6 +51,10 @@ class AtomicFile {
   std::FILE* stream_ = nullptr;
 };
 
+// Throws the Error that writing the file would begin with, and leaves it as it is. A device or a pipe is
+// not opened: its reader would take that for all.
+void CheckFileWritable(const std::filesystem::path& path);
+
 // Write all of `bytes` atomically.
 void WriteFile(const std::filesystem::path& path, std::string_view bytes);
 

@@ -51,6 +51,7 @@ TEST_F(Commands, InfoAsJson) {
 
 TEST_F(Commands, CheckSaysOkOrAllErrors) {
   Write("bad.nff", "v\nfrom 1 1\n");
+  Write("x.abc", "");
   const Result good = Run({"check", "spheres.nff"});
   EXPECT_EQ(good.status, 0);
   EXPECT_EQ(good.out, "spheres.nff: ok, with 1 warning\n");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Help, man page and completions: made from the definitions, so that no option is missing in one of them.
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "scratch.h"
 
@@ -57,6 +59,43 @@ TEST_F(Documents, EachCommandHasAPage) {
                                    "--size", "--crop", "--camera", "--spp", "--samples",
                                    "--integrator", "--max-depth", "--min-contribution", "--up",
                                    "--smooth", "--threads", "--quiet", "--stats", "--help"}));
+}
+
+TEST_F(Documents, TheReadmesSceneIsRight) {
+  std::ostringstream readme;
+  readme << std::ifstream(SNELL_SOURCE_DIR "/README.md").rdbuf();
+  const std::string text = readme.str();
+  const std::size_t begin = text.find("```toml\n") + 8;
+  Write("first.toml", text.substr(begin, text.find("```", begin) - begin));
+  const Result result = Run({"check", "first.toml"});
+  EXPECT_EQ(result.out, "first.toml: ok\n");
+  EXPECT_EQ(result.err, "");
+}
+
+// The default that the reference of scenes gives for a key of [render]: "16".
+std::string SceneDefault(const std::string& reference, const std::string& key) {
+  const std::size_t row = reference.find("| `" + key + "` |", reference.find("## `[render]`\n"));
+  const std::string line = reference.substr(row, reference.find('\n', row) - row);
+  const std::size_t begin = line.find('`', line.find('`', 4) + 1) + 1;
+  return line.substr(begin, line.find('`', begin) - begin);
+}
+
+TEST_F(Documents, RenderTellsTheDefaultsOfScenes) {
+  const std::string reference = Output({"reference"});
+  std::string help = Output({"help", "render"});
+  for (std::size_t at; (at = help.find("\n                          ")) != help.npos;)
+    help.replace(at, 27, " ");
+  EXPECT_EQ(SceneDefault(reference, "size"), "[800, 600]");
+  for (const auto& [option, value] :
+       {std::pair("--size", std::string("800x600")),
+        std::pair("--spp", SceneDefault(reference, "spp")),
+        std::pair("--max-depth", SceneDefault(reference, "max_depth")),
+        std::pair("--min-contribution", SceneDefault(reference, "min_contribution")),
+        std::pair("--exposure", SceneDefault(reference, "exposure"))}) {
+    const std::size_t begin = help.find("\n  " + std::string(option) + " ");
+    const std::string line = help.substr(begin, help.find('\n', begin + 1) - begin);
+    EXPECT_NE(line.find("(the scene's, or " + value + ")"), std::string::npos) << line;
+  }
 }
 
 TEST_F(Documents, TheManPageHasEveryOptionAndIsCleanRoff) {

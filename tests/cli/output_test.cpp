@@ -144,9 +144,24 @@ TEST_F(Outputs, DevicesAreWrittenToNotReplaced) {
   ::symlink("/dev/full", Path("full").c_str());
   const Result result = Run({"render", "spheres.nff", "-q", "--stats", "full"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.err, "snell: error: full: cannot write: No space left on device\n");
+  EXPECT_EQ(result.err, "snell: error: full: cannot write the file: No space left on device\n");
   EXPECT_TRUE(Exists("spheres.png"));
   EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "full"));
+}
+
+TEST_F(Outputs, NoFileTakesThePlaceOfAClosedStream) {
+  // The number of a closed stream would be given to the first file, which would then receive messages
+  Surroundings closed;
+  closed.prepare = [] { return ::close(STDERR_FILENO) == 0; };
+  const Result result =
+      Run({"render", "spheres.nff", "-o", "a.png", "--stats", "/dev/fd/2"}, closed);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(ReadPicture(Path("a.png")).width, 48);
+
+  closed.prepare = [] { return ::close(STDOUT_FILENO) == 0; };
+  const Result mute = Run({"help"}, closed);
+  EXPECT_EQ(mute.status, 1);
+  EXPECT_EQ(mute.err, "snell: error: cannot write to the standard output: Bad file descriptor\n");
 }
 
 TEST_F(Outputs, AFullStandardOutputIsAnError) {
