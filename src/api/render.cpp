@@ -64,7 +64,7 @@ render::PixelRect RectOf(const scene::RenderSettings& settings, const RenderOpti
 
 // Refuse a picture that memory cannot hold before any is taken: the film, and copies for output.
 void CheckMemory(const render::PixelRect& rect) {
-  constexpr std::uint64_t BytesPerPixel = 16 + 12 + 12;
+  constexpr std::uint64_t BytesPerPixel = 32 + 12 + 12;
   const std::uint64_t pixels = std::uint64_t(rect.Width()) * std::uint64_t(rect.Height());
   const std::uint64_t available = AvailableMemoryBytes();
   if (available > 0 && pixels * BytesPerPixel > available)

@@ -14,7 +14,7 @@ image::Image Film::ToImage() const {
   image::Image image(rect_.Width(), rect_.Height());
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const Pixel& pixel = pixels_[i];
-    if (pixel.count > 0) image.pixels[i] = pixel.sum / float(pixel.count);
+    if (pixel.count > 0) image.pixels[i] = kernel::Spectrum(pixel.sum / double(pixel.count));
   }
   return image;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The accumulating picture: per pixel the sum of the samples' radiance and their count. Samples are added in
-// order of their numbers by whoever owns the pixel, so the sums do not depend on threads or tiles.
+// order of their numbers by whoever owns the pixel, so the sums do not depend on threads or tiles. They are
+// of double precision: in single, a million equal samples would be off by percents.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "image/image.h"
@@ -32,7 +34,7 @@ class Film {
   // Add one sample's radiance. Not for several threads on one pixel.
   void Add(int x, int y, kernel::Spectrum L) {
     Pixel& pixel = pixels_[Index(x, y)];
-    pixel.sum += L;
+    pixel.sum += glm::dvec3(L);
     ++pixel.count;
   }
 
@@ -45,7 +47,7 @@ class Film {
 
  private:
   struct Pixel {
-    kernel::Spectrum sum{0.0f};
+    glm::dvec3 sum{0.0};
     std::uint32_t count = 0;
   };
   std::size_t Index(int x, int y) const {
