@@ -201,7 +201,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Spectrum reflectedWeight = branch.weight * shares.reflection;
   Spectrum refractedWeight = branch.weight * shares.refraction;
   bool deeper = branch.depth < params.maxDepth;
-  float least = Max(params.minContribution, 1e-12f);
+  float least = Max(params.minContribution, LeastWeight);
   bool reflects = deeper && MaxChannel(reflectedWeight) >= least;
   bool refracts = deeper && MaxChannel(refractedWeight) >= least;
   WhittedBranch reflected = branch;

@@ -19,9 +19,11 @@ struct WhittedBranch {
   MediumStack media;
 };
 
-// The lesser of two branches is followed first and the greater waits, so the followed weight halves with
-// every branch that waits: thirty-two places reach weights of 2⁻³² at any depth.
+// The lesser of two branches is followed first and the greater waits, so the followed weight, as the mean of
+// its channels, halves with every branch that waits: thirty-two places suffice at any depth for branches of
+// which one channel weighs 3 · 2⁻³² or more.
 CONST uint WhittedStackSize = 32u;
+CONST float LeastWeight = 1e-9f;
 
 // Shader terms of a material whose colours are evaluated once per hit; further ones once per light sample.
 CONST uint CachedTerms = 8u;
