@@ -24,13 +24,12 @@ namespace {
 // A rotation that turns +y to `axis`, by the shortest way, at `origin`.
 Affine Frame(vec3 origin, vec3 axis) {
   const glm::dvec3 y = glm::normalize(glm::dvec3(axis));
+  // Column of Rodrigues' rotation about (0, 1, 0) × y; k = 1 / (1 + y.y), also where that cancels
+  const double s = y.x * y.x + y.z * y.z;
   glm::dvec3 x(1, 0, 0);
-  if (y.y < -0.999999) {
-    x = {1, 0, 0};
-  } else {
-    // Column of Rodrigues' rotation about (0, 1, 0) × y
-    const double k = 1.0 / (1.0 + y.y);
-    x = {1.0 - k * y.x * y.x, -y.x, -k * y.x * y.z};
+  if (s > 0) {
+    const double k = y.y > 0 ? 1 / (1 + y.y) : (1 - y.y) / s;
+    x = {1 - k * y.x * y.x, -y.x, -k * y.x * y.z};
   }
   const glm::dvec3 z = glm::cross(x, y);
   return {glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(glm::dvec3(origin), 1)};
