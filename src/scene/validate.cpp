@@ -23,7 +23,9 @@ bool Invertible(const Affine& m) {
   double size = 1;
   for (int column = 0; column < 3; ++column) size *= glm::length(glm::dvec3(m[column]));
   const double determinant = glm::determinant(glm::dmat3(m));
-  return std::isfinite(determinant) && size > 0 && std::abs(determinant) > 1e-12 * size;
+  const double reach = glm::length(glm::dvec3(m[3]));
+  return std::isfinite(determinant) && std::isfinite(reach) && size > 0 &&
+         std::abs(determinant) > 1e-12 * size;
 }
 
 class Checker {
@@ -35,15 +37,13 @@ class Checker {
     for (const Camera& camera : scene_.cameras) CheckCamera(camera);
     Require(NonNegative(scene_.environment.bottom) && NonNegative(scene_.environment.top),
             "the environment's colours must be finite and not negative");
-    Require(scene_.environment.bottomElevation < scene_.environment.topElevation,
+    Require(Finite(scene_.environment.bottomElevation) && Finite(scene_.environment.topElevation) &&
+                scene_.environment.bottomElevation < scene_.environment.topElevation,
             "the environment's gradient needs its bottom below its top");
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     for (const Light& light : scene_.lights) CheckLight(light);
-    for (const Texture& texture : scene_.textures) {
-      Require(Invertible(texture.placement),
-              fmt::format("texture '{}' has a singular placement", texture.name));
-    }
+    for (const Texture& texture : scene_.textures) CheckTexture(texture);
     for (const Material& material : scene_.materials) CheckMaterial(material);
     for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
     for (const Object& object : scene_.objects) CheckObject(object);
@@ -80,10 +80,12 @@ class Checker {
     };
     const vec3 forward = camera.lookAt - camera.position;
     Require(NonZero(forward), bad("looks at its own position"));
-    const glm::dvec3 side = glm::cross(glm::dvec3(forward), glm::dvec3(camera.up));
-    Require(glm::length(side) >
-                1e-9 * glm::length(glm::dvec3(forward)) * glm::length(glm::dvec3(camera.up)),
-            bad("looks along its up vector"));
+    if (NonZero(forward)) {
+      const glm::dvec3 side = glm::cross(glm::dvec3(forward), glm::dvec3(camera.up));
+      Require(glm::length(side) >
+                  1e-9 * glm::length(glm::dvec3(forward)) * glm::length(glm::dvec3(camera.up)),
+              bad("looks along its up vector"));
+    }
     if (camera.kind == CameraKind::Pinhole) {
       Require(Positive(camera.fov) && camera.fov < 3.1415f,
               bad("needs a field of view between 0 and 180 degrees"));
@@ -102,6 +104,11 @@ class Checker {
             bad("needs a position and a direction"));
     Require(Finite(light.radius) && light.radius >= 0 && Finite(light.range) && light.range >= 0,
             bad("has a negative radius or range"));
+    Require(light.samples > 0, bad("needs at least one sample"));
+    if (light.kind == LightKind::Directional) {
+      Require(light.angularSize >= 0 && light.angularSize < 3.1416f,
+              bad("needs an angular size between 0 and 180 degrees"));
+    }
     if (light.falloff == Falloff::Linear)
       Require(Positive(light.falloffFactor), bad("needs a positive falloff factor"));
     if (light.kind == LightKind::Spot) {
@@ -115,6 +122,17 @@ class Checker {
     if (light.kind == LightKind::Rectangle || light.kind == LightKind::Triangle) {
       Require(NonZero(glm::cross(light.edgeU, light.edgeV)), bad("has no area"));
     }
+  }
+
+  void CheckTexture(const Texture& texture) {
+    const auto bad = [&](const char* what) {
+      return fmt::format("texture '{}' {}", texture.name, what);
+    };
+    Require(Invertible(texture.placement), bad("has a singular placement"));
+    Require(NonNegative(texture.colorA) && NonNegative(texture.colorB),
+            bad("needs finite colours that are not negative"));
+    Require(Finite(texture.turbulence), bad("needs a finite turbulence"));
+    Require(texture.octaves >= 1 && texture.octaves <= 16, bad("needs 1 to 16 octaves"));
   }
 
   void CheckColor(const ColorInput& input, bool reflectance, const std::string& what) {
