@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 static std::string Reason() { return std::strerror(errno); }
 
 std::string ReadFile(const fs::path& path, std::uint64_t limit) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Opening a pipe would wait for its writer
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
   struct Closer {
     int file;
@@ -54,6 +55,8 @@ fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::str
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
   if (portable.empty()) throw Error("the file name is empty");
+  // The system would cut it short, after the check
+  if (portable.find('\0') != std::string::npos) throw Error("the file name has a zero byte");
   const bool driveLetter = portable.size() > 1 && portable[1] == ':';
   if (portable[0] == '/' || driveLetter)
     throw Error(fmt::format("'{}' is an absolute path", name), {},
@@ -63,12 +66,20 @@ fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::str
   std::error_code ignored;
   const fs::path path = fromFolder / portable;
   const fs::path realRoot = fs::weakly_canonical(root.empty() ? fs::path(".") : root, ignored);
-  const fs::path realPath = fs::weakly_canonical(path, ignored);
+  const fs::path realPath = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
   const auto [rootEnd, pathRest] =
       std::mismatch(realRoot.begin(), realRoot.end(), realPath.begin(), realPath.end());
   if (rootEnd != realRoot.end())
     throw Error(fmt::format("'{}' lies outside the scene's folder", name), {},
                 "files are read only from the scene's own folder and the folders in it");
+  return path;
+}
+
+// What a symbolic link leads to, also if that does not exist yet.
+static fs::path BehindLinks(fs::path path) {
+  std::error_code ignored;
+  for (int links = 0; links < 40 && fs::is_symlink(path, ignored); ++links)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
   return path;
 }
 
@@ -79,7 +90,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     errno = EISDIR;
     Fail("write");
   }
-  target_ = fs::is_symlink(path_, ignored) ? fs::weakly_canonical(path_, ignored) : path_;
+  target_ = BehindLinks(path_);
   if (!fs::exists(status) || fs::is_regular_file(status)) {
     temporary_ = target_;
     temporary_ += fmt::format(".partial-{}", ::getpid());

@@ -55,7 +55,8 @@ std::string ByteSize(std::uint64_t bytes) {
   static constexpr const char* Units[] = {"B", "KiB", "MiB", "GiB", "TiB"};
   double size = double(bytes);
   int unit = 0;
-  while (size >= 1024 && unit < 4) {
+  // What would be written as 1024.0 is one of the next unit
+  while (size >= (unit == 0 ? 1024 : 1023.95) && unit < 4) {
     size /= 1024;
     ++unit;
   }
@@ -63,15 +64,17 @@ std::string ByteSize(std::uint64_t bytes) {
 }
 
 std::string Duration(double seconds) {
-  if (seconds < 10) return fmt::format("{:.2f} s", seconds);
-  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 9.995) return fmt::format("{:.2f} s", seconds);
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
   const std::uint64_t whole = std::uint64_t(std::llround(seconds));
   if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 std::string Plural(std::uint64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", WithCommas(count), noun, count == 1 ? "" : "s");
+  const auto endsWith = [&](std::string_view ending) { return noun.ends_with(ending); };
+  const bool sibilant = endsWith("s") || endsWith("x") || endsWith("ch") || endsWith("sh");
+  return fmt::format("{} {}{}", WithCommas(count), noun, count == 1 ? "" : sibilant ? "es" : "s");
 }
 
 }  // namespace snell

@@ -26,7 +26,7 @@ std::string ByteSize(std::uint64_t bytes);
 // 75.25 → "1:15"; 4000 → "1:06:40"; 0.5 → "0.50 s"; 12.3 → "12.3 s".
 std::string Duration(double seconds);
 
-// "1 light", "2 lights".
+// "1 light", "2 lights", "2 branches": of nouns whose plural ends in -s or -es.
 std::string Plural(std::uint64_t count, std::string_view noun);
 
 }  // namespace snell
