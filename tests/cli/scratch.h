@@ -1,62 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A folder for one test, removed afterwards, and small scenes to put into it.
+// Tests that run the program in a folder of their own, and small scenes to put into it.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "child.h"
+#include "support/scratch_folder.h"
 
 namespace snell::test {
 
-class InScratchFolder : public testing::Test {
+class InScratchFolder : public testing::Test, protected ScratchFolder {
  protected:
-  InScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "snell-cli-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~InScratchFolder() override {
-    std::error_code ignored;
-    std::filesystem::permissions(folder_, std::filesystem::perms::owner_all, ignored);
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  // The path of a file in the folder.
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
-  bool Exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-  void Write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  std::string Read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
-    return text.str();
-  }
-  // Names of all files, sorted, folders not entered.
-  std::vector<std::string> Files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
   // Run the program there.
   Result Run(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
     if (surroundings.folder.empty()) surroundings.folder = folder_;
     return RunSnell(arguments, surroundings);
   }
-
-  std::filesystem::path folder_;
 };
 
 // Two spheres that reflect each other and refract, on a plane, under two lights: 48 × 32 pixels, one sample.
