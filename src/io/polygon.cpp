@@ -48,7 +48,9 @@ double Turn(const dvec2& a, const dvec2& b, const dvec2& c) {
 // corner's being an ear can change only beside the cut.
 class EarClipper {
  public:
-  explicit EarClipper(std::vector<dvec2> points) : points_(std::move(points)) {
+  // `points` are the corners as seen along the polygon's normal.
+  EarClipper(std::span<const vec3> places, std::vector<dvec2> points)
+      : places_(places), points_(std::move(points)) {
     const std::uint32_t count = std::uint32_t(points_.size());
     corners_.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -79,7 +81,7 @@ class EarClipper {
       fruitless = 0;
     }
     if (TurnAt(at) < 0) result.simple = false;
-    if (TurnAt(at) != 0) Emit(at, result);
+    if (HasArea(at)) Emit(at, result);
   }
 
  private:
@@ -92,6 +94,14 @@ class EarClipper {
 
   double TurnAt(std::uint32_t i) const {
     return Turn(points_[corners_[i].before], points_[i], points_[corners_[i].after]);
+  }
+
+  // Whether there is a triangle at a corner, also one seen from its edge, as in a polygon that is not flat.
+  bool HasArea(std::uint32_t i) const {
+    if (TurnAt(i) != 0) return true;
+    const dvec3 a = dvec3(places_[corners_[i].before]) - dvec3(places_[i]);
+    const dvec3 b = dvec3(places_[corners_[i].after]) - dvec3(places_[i]);
+    return glm::length(glm::cross(a, b)) > 1e-5 * (glm::dot(a, a) + glm::dot(b, b));
   }
 
   // An ear is a convex corner whose triangle contains no other corner. Only reflex ones need a look, and
@@ -127,7 +137,7 @@ class EarClipper {
   }
 
   void Cut(std::uint32_t i, PolygonTriangles& result) {
-    if (TurnAt(i) != 0) Emit(i, result);
+    if (HasArea(i)) Emit(i, result);
     const std::uint32_t before = corners_[i].before, after = corners_[i].after;
     corners_[before].after = after;
     corners_[after].before = before;
@@ -139,6 +149,7 @@ class EarClipper {
       corners_[neighbour].ear = IsEar(neighbour);
   }
 
+  std::span<const vec3> places_;
   std::vector<dvec2> points_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> reflex_;  // those that were so at the start
@@ -158,7 +169,7 @@ PolygonTriangles TriangulatePolygon(std::span<const vec3> corners) {
     result.triangles.push_back(uvec3(0, 1, 2));
   } else {
     result.triangles.reserve(corners.size() - 2);
-    EarClipper(Flatten(corners, area)).Clip(result);
+    EarClipper(corners, Flatten(corners, area)).Clip(result);
   }
   return result;
 }

@@ -169,6 +169,19 @@ TEST(Polygon, CrossingOutlinesGiveSomeTriangles) {
   }
 }
 
+TEST(Polygon, PartsThatStandUprightAreKept) {
+  // A square of the floor whose outline also climbs a wall: the wall's part has no area seen from above
+  const std::vector<vec3> corners = {vec3(-1, 0, 1), vec3(1, 0, 1), vec3(1, 0, -1), vec3(-1, 0, -1),
+                                     vec3(0, 1, -1)};
+  const PolygonTriangles result = TriangulatePolygon(corners);
+  EXPECT_EQ(result.triangles.size(), 3u);
+
+  // Straight corners of a flat one still take no triangle
+  const std::vector<vec3> straight = {vec3(0, 0, 0), vec3(1, 0, 0), vec3(2, 0, 0), vec3(2, 2, 0),
+                                      vec3(0, 2, 0)};
+  EXPECT_EQ(TriangulatePolygon(straight).triangles.size(), 3u);
+}
+
 TEST(Polygon, ThinCombsAreQuick) {
   // Half of the corners are reflex: the worst case
   std::vector<vec3> comb;
