@@ -16,8 +16,9 @@
 using namespace snell;
 
 static constexpr std::string_view Usage =
-    "usage: snell-spd-counts\n\nPrints how many rays Snell follows in the Standard Procedural Databases, "
-    "beside\nthe published numbers, as a table in Markdown.\n";
+    "usage: snell-spd-counts\n\n"
+    "Prints how many rays Snell follows in the Standard Procedural Databases, beside\n"
+    "the published numbers, as a table in Markdown.\n";
 
 static void PrintRow(std::string_view database, std::string_view kind, std::int64_t ours,
                      std::int64_t published) {

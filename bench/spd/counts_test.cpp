@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The published numbers of rays, "within about 10 %" of which every classic ray tracer should be: ours are
-// within 4 %, and where nothing is a matter of taste (which rays meet which surfaces) within 1 %.
+// The published numbers of rays, "within about 10 %" of which every classic ray tracer should be. Ours are
+// within half a percent, but for 4 % fewer refracted rays in the gears; here a ninth of them is followed.
 #include "spd/counts.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <ostream>
+#include "spd/print_database.h"
 
 namespace snell::spd {
-
-// What test lists show.
-void PrintTo(const Database& database, std::ostream* out) { *out << database.name; }
-
 namespace {
 
 class RaysOf : public testing::TestWithParam<Database> {};

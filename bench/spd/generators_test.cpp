@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "io/nff.h"
+#include "spd/print_database.h"
 
 namespace snell::spd {
 namespace {
