@@ -33,14 +33,36 @@ FN float IntersectShape(IN(Shape) shape, vec3 o, vec3 d) {
   return -1.0f;
 }
 
+// The surface of a sphere, in world space: its own axes matter for textures alone.
+FN SurfaceInteraction SphereSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
+  SurfaceInteraction it;
+  it.t = t;
+  it.n = Normalize((o - shape.toWorld.origin) + t * d);
+  it.ns = it.n;
+  vec3 fromCenter = it.n * shape.a;
+  it.p = shape.toWorld.origin + fromCenter;
+  // What the point may be off by, and what a ray that starts there may lose on the way back to the centre
+  it.pError = Abs(fromCenter) * Gamma(8.0f) + Abs(it.p) * Gamma(4.0f) +
+              Abs(it.n) * (shape.a * Gamma(12.0f));
+  it.uv = vec2(0.0f, 0.0f);
+  it.dpdu = vec3(0.0f, 0.0f, 0.0f);
+  if (shape.mapped == 1u) {
+    vec3 local = ToLocalVector(shape.toWorld, it.n);
+    it.uv = SphereUv(local);
+    it.dpdu = ToWorldVector(shape.toWorld, SphereDpdu(local)) * shape.a;
+  }
+  it.object = shape.object;
+  return it;
+}
+
 // The surface where IntersectShape found `t`.
 FN SurfaceInteraction ShapeSurface(IN(Shape) shape, vec3 o, vec3 d, float t) {
+  if (shape.kind == SHAPE_SPHERE) return SphereSurface(shape, o, d, t);
   Ray ray = ToLocalRay(shape.toWorld, o, d);
   bool mapped = shape.mapped == 1u;
   LocalSurface local;
   switch (shape.kind) {
-    case SHAPE_SPHERE: local = SphereSurface(ray.o, ray.d, shape.a, t, mapped); break;
-    case SHAPE_ELLIPSOID: local = SphereSurface(ray.o, ray.d, 1.0f, t, mapped); break;
+    case SHAPE_ELLIPSOID: local = UnitSphereSurface(ray.o, ray.d, t, mapped); break;
     case SHAPE_DISK: local = DiskSurface(ray.o, ray.d, t); break;
     case SHAPE_BOX: local = BoxSurface(ray.o, ray.d, t); break;
     case SHAPE_FRUSTUM:

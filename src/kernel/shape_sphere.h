@@ -31,15 +31,19 @@ FN float IntersectSphere(vec3 o, vec3 d, float radius) {
   return tClosest >= 0.0f ? tClosest + halfChord : c / (a * (tClosest - halfChord));
 }
 
-FN LocalSurface SphereSurface(vec3 o, vec3 d, float radius, float t, bool mapped) {
+// Texture coordinates at the point n of the unit sphere, and the change of the point with u.
+FN vec2 SphereUv(vec3 n) { return vec2(0.5f + Atan2(n.x, n.z) * Inv2Pi, 0.5f + Asin(n.y) * InvPi); }
+FN vec3 SphereDpdu(vec3 n) { return vec3(n.z, 0.0f, -n.x) * (2.0f * Pi); }
+
+// The surface of the unit sphere.
+FN LocalSurface UnitSphereSurface(vec3 o, vec3 d, float t, bool mapped) {
   LocalSurface s;
-  vec3 p = o + t * d;
-  s.p = p * (radius / Length(p));
+  s.p = Normalize(o + t * d);
   s.error = Abs(s.p) * Gamma(8.0f);
-  s.n = s.p / radius;
+  s.n = s.p;
   s.uv = vec2(0.0f, 0.0f);
-  if (mapped) s.uv = vec2(0.5f + Atan2(s.n.x, s.n.z) * Inv2Pi, 0.5f + Asin(s.n.y) * InvPi);
-  s.dpdu = vec3(s.p.z, 0.0f, -s.p.x) * (2.0f * Pi);
+  if (mapped) s.uv = SphereUv(s.n);
+  s.dpdu = SphereDpdu(s.n);
   return s;
 }
 

@@ -57,7 +57,7 @@ CONST uint SHAPE_TORUS = 8u;    // around +y, radius a to the middle of a tube o
 struct Shape {
   uint kind;
   uint object;
-  uint mapped;  // 1: textures ask for its texture coordinates; 0: these are left 0
+  uint mapped;  // 1: textures ask for its coordinates; 0: these, and tangents, may be left 0
   float a;
   float b;
   float c;
