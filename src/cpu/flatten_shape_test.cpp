@@ -20,9 +20,6 @@ using glm::dvec3;
 using scene::Affine;
 using test::Random;
 
-constexpr test::MapKind Maps[] = {test::MapKind::Rigid, test::MapKind::Mirrored,
-                                  test::MapKind::NonUniform, test::MapKind::Sheared};
-
 // The distance of a world point from the flattened shape's surface, in its own units.
 double DistanceFrom(const Shape& shape, dvec3 world) {
   return std::abs(test::ReferenceShape(shape).Distance(test::ExactToLocal(shape.toWorld, world)));
@@ -32,7 +29,7 @@ TEST(ToTransform, IsTheMapAndItsInverse) {
   Random random(740);
   for (int i = 0; i < 1000; ++i) {
     const double scale = random.LogUniform(1e-4, 1e5);
-    const Affine m = test::RandomMap(random, Maps[i % 4], scale, 5);
+    const Affine m = test::RandomMap(random, test::MapKinds[i % 4], scale, 5);
     const Transform t = ToTransform(m);
     const dvec3 p = random.InCube();
     const dvec3 world(m * glm::dvec4(p, 1));
@@ -111,7 +108,7 @@ TEST(FlattenShape, PutsEveryShapeWhereItIs) {
         scene::Torus{at, axis, r, 0.3f * r}};
     const scene::Geometry& geometry = geometries[i % std::size(geometries)];
     const Affine map =
-        test::RandomMap(random, Maps[random.Index(4)], random.LogUniform(0.1, 10), 2);
+        test::RandomMap(random, test::MapKinds[random.Index(4)], random.LogUniform(0.1, 10), 2);
     const Shape shape = FlattenShape(geometry, map, 7);
     EXPECT_EQ(shape.object, 7u);
     const double size = std::max(1.0, test::ReferenceShape(shape).Size());
@@ -146,7 +143,7 @@ TEST(FlattenShape, KeepsTheDirectionOfNormals) {
 TEST(FlattenShape, KeepsSpheresUnderSimilaritiesOnly) {
   Random random(743);
   for (int i = 0; i < 400; ++i) {
-    const test::MapKind kind = Maps[i % 4];
+    const test::MapKind kind = test::MapKinds[i % 4];
     const double scale = random.LogUniform(1e-3, 1e3);
     const Affine map = test::RandomMap(random, kind, scale, 2);
     const Shape shape = FlattenShape(scene::Sphere{vec3(1, 2, 3), 2}, map, 0);

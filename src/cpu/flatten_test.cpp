@@ -22,9 +22,6 @@ using glm::dvec3;
 using scene::Affine;
 using test::Random;
 
-constexpr test::MapKind Maps[] = {test::MapKind::Rigid, test::MapKind::Mirrored,
-                                  test::MapKind::NonUniform, test::MapKind::Sheared};
-
 // A scene of meshes and shapes that all have the first of two materials: paint, and glass.
 scene::Scene Painted() {
   scene::Scene scene;
@@ -64,7 +61,7 @@ double SignedVolume(const FlatScene& flat) {
 TEST(FlattenObjects, KeepsMeshesTurnedOutward) {
   Random random(744);
   for (int i = 0; i < 40; ++i) {
-    const Affine map = test::RandomMap(random, Maps[i % 4], 2, 1);
+    const Affine map = test::RandomMap(random, test::MapKinds[i % 4], 2, 1);
     const double determinant = glm::determinant(glm::dmat3(map));
     scene::Scene scene = Painted();
     scene::Mesh mesh = ToMesh(test::Cube());

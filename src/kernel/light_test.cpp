@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/sobol.h"
+#include "support/polygon_light.h"
 #include "support/random.h"
 
 namespace snell::kernel {
@@ -64,18 +65,6 @@ double Irradiance(const Light& light, glm::dvec3 p, glm::dvec3 n) {
     sum += double(s.irradiance.y) * std::max(0.0, glm::dot(glm::dvec3(s.wi), n));
   }
   return sum / SampleCount;
-}
-
-// Lambert's formula for a polygon of radiance 1 above the horizon.
-double PolygonIrradiance(const std::vector<glm::dvec3>& corners, glm::dvec3 p, glm::dvec3 n) {
-  double sum = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3 a = glm::normalize(corners[i] - p);
-    const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - p);
-    const glm::dvec3 axis = glm::cross(a, b);
-    sum += std::atan2(glm::length(axis), glm::dot(a, b)) * glm::dot(glm::normalize(axis), n);
-  }
-  return std::abs(0.5 * sum);
 }
 
 TEST(SphereLight, HasItsFormFactorAtAnyDistance) {
@@ -138,37 +127,19 @@ TEST(PolygonLights, ObeyLambertsFormula) {
                                     vec3(faces ? u : v), vec3(faces ? v : u));
     std::vector<glm::dvec3> corners = {corner, corner + u, corner + u + v, corner + v};
     if (triangle) corners.erase(corners.begin() + 2);
-    const double expected = PolygonIrradiance(corners, p, n);
+    const double expected = std::abs(test::PolygonIrradiance(p, n, corners));
     EXPECT_NEAR(Irradiance(light, p, n) / expected, 1, 3e-3) << i;
   }
 }
 
 TEST(PolygonLights, GiveTheKnownRadianceOfAFloor) {
-  // A floor of albedo one half at the origin under triangles of radiance 1: the polygon luminaires that
-  // nori's tests use, with values computed anew from Lambert's formula
-  struct Case {
-    glm::dvec3 corners[3];
-    double radiance;
-  };
-  const Case cases[] = {
-      {{{-.443432, .596366, .495985}, {-.320397, .0677699, -.229359}, {.0341197, .11415, -.343049}},
-       0.0898394},
-      {{{.461963, .397843, .412747}, {-.0381582, .851323, -.156872}, {.195443, .891957, -.260672}},
-       0.0229200},
-      {{{.100871, .289075, -.422609}, {-.308386, .629587, .423966}, {-.373132, .237287, .351592}},
-       0.0534198},
-      {{{-.17575, .639397, .151268}, {.318604, .732996, .459771}, {.139095, .294498, .478556}},
-       0.0205314},
-      {{{-.17487, .447916, .367201}, {-.405259, .249607, -.354079}, {.356029, .0918984, -.132271}},
-       0.2617400}};
-  for (const Case& c : cases) {
-    const std::vector<glm::dvec3> corners(c.corners, c.corners + 3);
-    EXPECT_NEAR(0.5 / Pi64 * PolygonIrradiance(corners, {0, 0, 0}, {0, 1, 0}), c.radiance, 2e-6);
+  for (const auto& [corners, radiance] : test::TrianglesOverFloor) {
+    EXPECT_NEAR(0.5 / Pi64 * std::abs(test::PolygonIrradiance({0, 0, 0}, {0, 1, 0}, corners)),
+                radiance, 2e-6);
     glm::dvec3 u = corners[1] - corners[0], v = corners[2] - corners[0];
     if (glm::dot(glm::cross(u, v), corners[0]) > 0) std::swap(u, v);
     const Light light = MakePolygon(LIGHT_TRIANGLE, vec3(corners[0]), vec3(u), vec3(v));
-    EXPECT_NEAR(0.5 / Pi64 * Irradiance(light, {0, 0, 0}, {0, 1, 0}), c.radiance,
-                2e-3 * c.radiance);
+    EXPECT_NEAR(0.5 / Pi64 * Irradiance(light, {0, 0, 0}, {0, 1, 0}), radiance, 2e-3 * radiance);
   }
 }
 

@@ -84,8 +84,6 @@ Sampled RandomGeometry(Random& random, int kind) {
 }
 
 TEST(BoundsOf, HoldsEveryShapeTightly) {
-  constexpr test::MapKind Maps[] = {test::MapKind::Rigid, test::MapKind::Mirrored,
-                                    test::MapKind::NonUniform, test::MapKind::Sheared};
   Random random(730);
   for (int i = 0; i < 300; ++i) {
     const int kind = i % 6;
@@ -93,7 +91,7 @@ TEST(BoundsOf, HoldsEveryShapeTightly) {
     Object object;
     object.geometry = sampled.geometry;
     object.toWorld =
-        test::RandomMap(random, Maps[random.Index(4)], random.LogUniform(0.01, 100), 5);
+        test::RandomMap(random, test::MapKinds[random.Index(4)], random.LogUniform(0.01, 100), 5);
     const Box3 box = BoundsOf(Scene{}, object);
     Box3 seen;
     for (const dvec3 p : sampled.points) seen.Extend(dvec3(object.toWorld * glm::dvec4(p, 1)));

@@ -9,6 +9,7 @@
 
 #include "render/optics.h"
 #include "render/scene_text.h"
+#include "support/polygon_light.h"
 
 namespace snell::test {
 namespace {
@@ -24,19 +25,7 @@ double IrradianceBy(const std::string& light, int spp = 64) {
 }
 
 TEST(Lights, PolygonsGiveLambertsIrradiance) {
-  // Published by Nori (Jakob 2015) for a matt floor of albedo ½: vertices, radiance
-  const std::pair<std::vector<dvec3>, double> cases[] = {
-      {{{-.443432, .596366, .495985}, {-.320397, .0677699, -.229359}, {.0341197, .11415, -.343049}},
-       0.0898394},
-      {{{.461963, .397843, .412747}, {-.0381582, .851323, -.156872}, {.195443, .891957, -.260672}},
-       0.0229200},
-      {{{.100871, .289075, -.422609}, {-.308386, .629587, .423966}, {-.373132, .237287, .351592}},
-       0.0534198},
-      {{{-.17575, .639397, .151268}, {.318604, .732996, .459771}, {.139095, .294498, .478556}},
-       0.0205314},
-      {{{-.17487, .447916, .367201}, {-.405259, .249607, -.354079}, {.356029, .0918984, -.132271}},
-       0.2617400}};
-  for (auto [vertices, radiance] : cases) {
+  for (auto [vertices, radiance] : TrianglesOverFloor) {
     // Turn the shining side to the floor
     const dvec3 front = glm::cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
     if (glm::dot(front, vertices[0]) > 0) std::swap(vertices[1], vertices[2]);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The laws that pictures are compared with, in double precision: Snell's and Fresnel's (Hecht, Optics,
-// sections 4.4 and 4.6), and Lambert's for the light of a polygon (Arvo 1994, "The irradiance Jacobian for
-// partially occluded polyhedral sources").
+// sections 4.4 and 4.6).
 #pragma once
 
 #include <cmath>
@@ -32,21 +31,6 @@ inline double Refracted(double incident, double eta) { return std::asin(std::sin
 
 // The direction d mirrored at the plane with the unit normal n.
 inline dvec3 Mirrored(dvec3 d, dvec3 n) { return d - n * (2 * glm::dot(d, n)); }
-
-// Irradiance at p on a surface with the normal n from a polygon of radiance 1 that lies wholly above it and
-// whose front, where its vertices count counter-clockwise, is seen from p.
-inline double PolygonIrradiance(dvec3 p, dvec3 n, const std::vector<dvec3>& vertices) {
-  double sum = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const dvec3 a = glm::normalize(vertices[i] - p);
-    const dvec3 b = glm::normalize(vertices[(i + 1) % vertices.size()] - p);
-    const dvec3 across = glm::cross(a, b);
-    const double sine = glm::length(across);
-    if (sine < 1e-12) continue;
-    sum -= std::atan2(sine, glm::dot(a, b)) * glm::dot(across, n) / sine;
-  }
-  return sum / 2;
-}
 
 // Radiance of the environment `bottom = 0, top = 1` in a direction of unit length: a picture of it shows
 // where rays go.

@@ -10,6 +10,7 @@
 
 #include "render/optics.h"
 #include "render/scene_text.h"
+#include "support/polygon_light.h"
 
 namespace snell::test {
 namespace {

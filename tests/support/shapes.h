@@ -31,11 +31,9 @@ struct Placement {
 };
 
 inline Placement RandomPlacement(Random& random) {
-  constexpr MapKind Maps[] = {MapKind::Rigid, MapKind::Mirrored, MapKind::NonUniform,
-                              MapKind::Sheared};
   constexpr double Scales[] = {1e-4, 1, 1e5};
   Placement p;
-  p.map = Maps[random.Index(4)];
+  p.map = MapKinds[random.Index(4)];
   p.scale = random.Chance(0.5) ? Scales[random.Index(3)] : random.LogUniform(1e-4, 1e5);
   p.distance = random.Chance(0.3) ? 0 : random.LogUniform(1e-2, 10);
   return p;

@@ -31,10 +31,8 @@ inline void AddRandomShapes(Soup& soup, Random& random, unsigned count, double r
   for (unsigned i = 0; i < count; ++i) {
     const unsigned kind = ShapeKinds[random.Index(std::size(ShapeKinds))];
     if (kind == kernel::SHAPE_PLANE && !infinite) continue;
-    constexpr MapKind Maps[] = {MapKind::Rigid, MapKind::Mirrored, MapKind::NonUniform,
-                                MapKind::Sheared};
     const double scale = random.LogUniform(0.05, 0.5);
-    soup.AddShape(RandomShape(random, kind, {Maps[random.Index(4)], scale, reach / scale}),
+    soup.AddShape(RandomShape(random, kind, {MapKinds[random.Index(4)], scale, reach / scale}),
                   RandomMask(random));
   }
 }
@@ -43,11 +41,9 @@ inline void AddRandomInstances(Soup& soup, Random& random, unsigned count, doubl
                                                   soup.AddMesh(Bipyramid(random, 12, 1, 0.1)),
                                                   soup.AddMesh(TriangleMesh{})};
   for (unsigned i = 0; i < count; ++i) {
-    constexpr MapKind Maps[] = {MapKind::Rigid, MapKind::Mirrored, MapKind::NonUniform,
-                                MapKind::Sheared};
     const double scale = random.LogUniform(0.05, 0.5);
     soup.AddInstance(meshes[random.Index(4)],
-                     RandomMap(random, Maps[random.Index(4)], scale, reach / scale),
+                     RandomMap(random, MapKinds[random.Index(4)], scale, reach / scale),
                      RandomMask(random));
   }
 }

@@ -27,6 +27,8 @@ inline kernel::Transform ToKernel(const glm::dmat4& m) {
 
 // What kind of map: each is also rotated and moved.
 enum class MapKind { Rigid, Mirrored, NonUniform, Sheared };
+inline constexpr MapKind MapKinds[] = {MapKind::Rigid, MapKind::Mirrored, MapKind::NonUniform,
+                                       MapKind::Sheared};
 
 // A map of about the given scale whose origin lies up to `distance` scales from the world's.
 inline glm::dmat4 RandomMap(Random& random, MapKind kind, double scale, double distance) {
