@@ -13,7 +13,7 @@ set -euo pipefail
 # Debian 12, Ubuntu 24.04 and newer have all of these under the same names.
 program_packages=(g++ cmake ninja-build glslc spirv-tools libtbb-dev libglm-dev libfmt-dev
   libtomlplusplus-dev libcli11-dev libopenexr-dev libpng-dev libjpeg-dev libtinyobjloader-dev)
-test_packages=(libgtest-dev libvulkan-dev mesa-vulkan-drivers)
+test_packages=(libgtest-dev libembree-dev libvulkan-dev mesa-vulkan-drivers)
 
 # Print the packages' names for other systems, where nothing is installed.
 suggest_packages() {

@@ -24,6 +24,8 @@ std::string ToText(const Hit& hit, float t) {
   return text.str();
 }
 
+Hit IdsOf(const Intersection& found) { return {found.primitive, found.instance}; }
+
 // What differs between two answers, or "".
 std::string Difference(const Soup& soup, const Ray& ray, const Hit& expected, const Hit& found) {
   if (expected.primitive == found.primitive && expected.instance == found.instance) return "";
@@ -64,7 +66,7 @@ TEST_P(Agreement, WithBruteForce) {
       for (const InstructionSet set : SupportedInstructionSets()) {
         bvh.Use(set);
         const std::string difference =
-            Difference(soup, ray, expected, bvh.Closest(ray, tMax, mask));
+            Difference(soup, ray, expected, IdsOf(bvh.Closest(ray, tMax, mask)));
         const bool any = bvh.Any(ray, tMax, mask) == (expected.primitive != kernel::None);
         if (difference.empty() && any) continue;
         if (wrong++ == 0)
@@ -73,7 +75,7 @@ TEST_P(Agreement, WithBruteForce) {
     }
   }
   // The t of a sliver that is met edge-on is so inexact that it may lie before the sliver's box
-  const std::uint64_t allowed = GetParam().name == "Slivers" ? rays / 100000 : 0;
+  const std::uint64_t allowed = GetParam().name == "Slivers" ? 1 + rays / 100000 : 0;
   EXPECT_LE(wrong, allowed * SupportedInstructionSets().size()) << "of " << rays << "\n" << first;
   EXPECT_GT(hits, rays / 50);
 }

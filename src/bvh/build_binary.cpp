@@ -7,7 +7,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <array>
 
 #include "util/check.h"
 
@@ -15,11 +14,14 @@ namespace snell::bvh {
 
 namespace {
 
-constexpr int BinCount = 16;
-// Cost of visiting one level of the wide tree for a ray, relative to testing a block of triangles.
-constexpr float TraversalCost = 1.0f;
-// Cost of testing one primitive of a kind, in triangles: a shape is tested alone, an instance is a whole
-// tree. At these weights they get leaves of their own, so that the node's boxes sort them out, eight at once.
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+constexpr int MaxBins = 32;
+// Cost of visiting one level of the binary tree for a ray, relative to testing a block of triangles.
+constexpr float TraversalCost = 0.4f;
+// Cost of testing one primitive of a kind, in pairs of triangles: a shape is tested alone, an instance is a
+// whole tree. At these weights they get leaves of their own, so that the node's boxes sort them out, eight at
+// once. The largest sum, of 2^25 instances, fits.
 constexpr std::uint32_t WeightOf(LeafKind kind) {
   return kind == LeafKind::Triangles ? 1
          : kind == LeafKind::Shapes  ? 4 * BlockWidth
@@ -28,130 +30,167 @@ constexpr std::uint32_t WeightOf(LeafKind kind) {
 // Beyond this depth the tree is split at medians, so that no input can make it deep.
 constexpr int MaxSahDepth = 48;
 // Ranges of more references are worked on by several threads.
-constexpr std::uint32_t ParallelSize = 16384;
+constexpr std::uint32_t ParallelSize = 32768;
 constexpr std::uint32_t TaskSize = 2048;
 
-Bounds BoundsOf(const PrimitiveRef& ref) { return {ref.lower, ref.upper}; }
-vec3 CentroidOf(const PrimitiveRef& ref) { return (ref.lower + ref.upper) * 0.5f; }
-
-struct Range {
-  std::uint32_t first;
-  std::uint32_t last;
-  std::uint32_t Count() const { return last - first; }
-};
-
-// Bounds of a range, of its centroids, its primitives' weight, and which kinds it holds.
+// Bounds of a range, of its centroids (doubled), its primitives' weight, and which kinds it holds.
 struct Extent {
-  Bounds bounds;
-  Bounds centroids;
-  std::uint64_t weight = 0;
+  Box box;
+  Box centroids;
+  std::uint32_t weight = 0;
   std::uint32_t kinds = 0;
 
   void Extend(const PrimitiveRef& ref) {
-    bounds.Extend(BoundsOf(ref));
-    centroids.Extend(CentroidOf(ref));
-    weight += WeightOf(ref.kind);
-    kinds |= 1u << std::uint32_t(ref.kind);
+    box.Extend(ref.box);
+    centroids.Extend(ref.Centroid2());
+    const LeafKind kind = ref.Kind();
+    weight += WeightOf(kind);
+    kinds |= 1u << std::uint32_t(kind);
   }
   void Extend(const Extent& other) {
-    bounds.Extend(other.bounds);
+    box.Extend(other.box);
     centroids.Extend(other.centroids);
     weight += other.weight;
     kinds |= other.kinds;
   }
 };
 
-// Maps centroids to bins; an axis without extent gets the scale 0.
-struct BinMap {
-  vec3 origin;
-  vec3 scale;
+struct Range {
+  std::uint32_t first;
+  std::uint32_t last;
+  Extent extent;
+  std::uint32_t Count() const { return last - first; }
+};
 
-  explicit BinMap(const Bounds& centroids) : origin(centroids.lower) {
+// Maps doubled centroids to bins; an axis without extent gets the scale 0.
+struct BinMap {
+  int count;
+  Vec4 origin;
+  Vec4 scale;
+
+  explicit BinMap(const Range& range)
+      : count(std::min(MaxBins, 4 + int(std::min(range.Count(), 4096u) / 16))),
+        origin(range.extent.centroids.lower) {
     for (int axis = 0; axis < 3; ++axis) {
-      const float size = centroids.upper[axis] - centroids.lower[axis];
-      scale[axis] = size > 0 ? std::min(float(BinCount) * 0.99999f / size, 1e30f) : 0.0f;
+      const float size = range.extent.centroids.upper[axis] - origin[axis];
+      scale[axis] = size > 0 ? std::min(float(count) * 0.99999f / size, 1e30f) : 0.0f;
     }
+    scale[3] = 0;
+  }
+  Int4 Bins(const PrimitiveRef& ref) const {
+    return __builtin_convertvector((ref.Centroid2() - origin) * scale, Int4);
   }
   int Bin(const PrimitiveRef& ref, int axis) const {
-    const int bin = int((CentroidOf(ref)[axis] - origin[axis]) * scale[axis]);
-    return std::clamp(bin, 0, BinCount - 1);
+    return int((ref.Centroid2()[axis] - origin[axis]) * scale[axis]);
   }
 };
 
 struct Bins {
-  std::array<std::array<Bounds, BinCount>, 3> bounds;
-  std::array<std::array<std::uint64_t, BinCount>, 3> weights{};
+  Box boxes[3][MaxBins];
+  Int4 weights[MaxBins];  // by axis
 
-  void Add(const PrimitiveRef& ref, const BinMap& map) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::size_t bin = std::size_t(map.Bin(ref, axis));
-      bounds[std::size_t(axis)][bin].Extend(BoundsOf(ref));
-      weights[std::size_t(axis)][bin] += WeightOf(ref.kind);
+  void Clear(int count) {
+    for (int bin = 0; bin < count; ++bin) {
+      for (auto& axis : boxes) axis[bin] = Box();
+      weights[bin] = Int4{};
     }
   }
-  void Add(const Bins& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t bin = 0; bin < BinCount; ++bin) {
-        bounds[axis][bin].Extend(other.bounds[axis][bin]);
-        weights[axis][bin] += other.weights[axis][bin];
-      }
+  void Add(const PrimitiveRef& ref, const BinMap& map) {
+    const Int4 bins = map.Bins(ref);
+    const std::int32_t weight = std::int32_t(WeightOf(ref.Kind()));
+    for (int axis = 0; axis < 3; ++axis) {
+      const int bin = bins[axis];
+      boxes[axis][bin].Extend(ref.box);
+      weights[bin][axis] += weight;
+    }
+  }
+  void Add(const Bins& other, int count) {
+    for (int bin = 0; bin < count; ++bin) {
+      for (int axis = 0; axis < 3; ++axis) boxes[axis][bin].Extend(other.boxes[axis][bin]);
+      weights[bin] += other.weights[bin];
     }
   }
 };
 
+// The costs of three boxes, one for each axis: half their areas times how many blocks they need.
+Vec4 Costs(const Box (&sides)[3], Int4 weights) {
+  const Vec4 x = sides[0].upper - sides[0].lower;
+  const Vec4 y = sides[1].upper - sides[1].lower;
+  const Vec4 z = sides[2].upper - sides[2].lower;
+  const Vec4 xyLow = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+  const Vec4 xyHigh = __builtin_shufflevector(x, y, 2, 6, 2, 6);
+  const Vec4 a = __builtin_shufflevector(xyLow, z, 0, 1, 4, 4);
+  const Vec4 b = __builtin_shufflevector(xyLow, z, 2, 3, 5, 5);
+  const Vec4 c = __builtin_shufflevector(xyHigh, z, 0, 1, 6, 6);
+  const Int4 blocks = (weights + (BlockWidth - 1)) / BlockWidth;
+  return (a * (b + c) + b * c) * __builtin_convertvector(blocks, Vec4);
+}
+
 struct Split {
-  float cost = std::numeric_limits<float>::infinity();  // relative to the node's area
+  float cost = std::numeric_limits<float>::infinity();  // times the node's half area
   int axis = -1;
   int bin = 0;  // bins below this one go left
 };
 
+Split BestSplit(const Bins& bins, const BinMap& map) {
+  // Sweep from the right for the costs of the right sides, then from the left
+  Vec4 rightCosts[MaxBins];
+  Box sides[3];
+  Int4 weights{};
+  for (int bin = map.count - 1; bin > 0; --bin) {
+    for (int axis = 0; axis < 3; ++axis) sides[axis].Extend(bins.boxes[axis][bin]);
+    weights += bins.weights[bin];
+    rightCosts[bin] = Costs(sides, weights);
+  }
+  for (Box& side : sides) side = Box();
+  weights = Int4{};
+  Vec4 bestCosts = Vec4{} + std::numeric_limits<float>::infinity();
+  Int4 bestBins{};
+  for (int bin = 1; bin < map.count; ++bin) {
+    for (int axis = 0; axis < 3; ++axis) sides[axis].Extend(bins.boxes[axis][bin - 1]);
+    weights += bins.weights[bin - 1];
+    // An empty side makes its cost a NaN, which is not less
+    const Vec4 costs = Costs(sides, weights) + rightCosts[bin];
+    const Int4 better = costs < bestCosts;
+    bestCosts = better ? costs : bestCosts;
+    bestBins = better ? Int4{} + bin : bestBins;
+  }
+  Split best;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (map.scale[axis] > 0 && bestCosts[axis] < best.cost)
+      best = {bestCosts[axis], axis, bestBins[axis]};
+  }
+  return best;
+}
+
 class Builder {
  public:
-  Builder(std::vector<PrimitiveRef>& references, std::uint32_t maxLeafPrimitives)
-      : references_(references),
-        scratch_(references.size()),
-        maxLeafPrimitives_(maxLeafPrimitives) {
-    tree_.nodes.resize(2 * references.size() - 1);
-  }
+  explicit Builder(HugeVector<PrimitiveRef>& references)
+      : references_(references), tree_(2 * references.size() - 1) {}
 
   BinaryTree Build() {
-    const Range all{0, std::uint32_t(references_.size())};
-    BuildNode(0, all, ExtentOf(all), 0);
+    const std::uint32_t count = std::uint32_t(references_.size());
+    scratch_.resize(count > ParallelSize ? count : 0);
+    BuildNode(0, {0, count, ExtentOf(0, count)}, 0);
     return std::move(tree_);
   }
 
  private:
   // A subtree over n references takes the 2n − 1 nodes from `index` on, whichever thread builds it.
-  void BuildNode(std::uint32_t index, Range range, const Extent& extent, int depth) {
-    BinaryNode& node = tree_.nodes[index];
-    node.bounds = extent.bounds;
-    node.first = range.first;
-    node.count = range.Count();
-
-    const bool mixed = (extent.kinds & (extent.kinds - 1)) != 0;
-    const bool mayBeLeaf = range.Count() <= maxLeafPrimitives_ && !mixed;
-    if (range.Count() == 1) return;
-    const Split split = depth < MaxSahDepth ? FindSplit(range, extent) : Split{};
-    const float leafCost = LeafCost(extent.weight);
-    if (mayBeLeaf && leafCost <= TraversalCost + split.cost) return;
-
-    // Part the references: by the split, else by kind, else in the middle
-    std::uint32_t middle = range.first;
-    if (split.axis >= 0) {
-      const BinMap map(extent.centroids);
-      middle = Partition(
-          range, [&](const PrimitiveRef& ref) { return map.Bin(ref, split.axis) < split.bin; });
-    } else if (mixed) {
-      const LeafKind kind = references_[range.first].kind;
-      middle = Partition(range, [&](const PrimitiveRef& ref) { return ref.kind == kind; });
+  void BuildNode(std::uint32_t index, const Range& range, int depth) {
+    const std::uint32_t kinds = range.extent.kinds;
+    const bool mixed = (kinds & (kinds - 1)) != 0;
+    const bool mayBeLeaf = range.Count() <= MaxLeafCount && !mixed;
+    const float leafCost = float((range.extent.weight + BlockWidth - 1) / BlockWidth);
+    Range left, right;
+    if (range.Count() == 1 || !Part(range, mixed, mayBeLeaf, leafCost, depth, left, right)) {
+      tree_[index].Set(range.extent.box, range.Count(), 0);
+      return;
     }
-    if (middle == range.first || middle == range.last) middle = range.first + range.Count() / 2;
-
-    const Range left{range.first, middle};
-    const Range right{middle, range.last};
-    node.right = index + 2 * left.Count();
-    const auto buildLeft = [&] { BuildNode(index + 1, left, ExtentOf(left), depth + 1); };
-    const auto buildRight = [&] { BuildNode(node.right, right, ExtentOf(right), depth + 1); };
+    const std::uint32_t rightIndex = index + 2 * left.Count();
+    tree_[index].Set(range.extent.box, range.Count(), rightIndex);
+    const auto buildLeft = [&] { BuildNode(index + 1, left, depth + 1); };
+    const auto buildRight = [&] { BuildNode(rightIndex, right, depth + 1); };
     if (range.Count() > TaskSize) {
       tbb::parallel_invoke(buildLeft, buildRight);
     } else {
@@ -160,14 +199,43 @@ class Builder {
     }
   }
 
-  Extent ExtentOf(Range range) const {
-    const auto scan = [&](std::uint32_t first, std::uint32_t last, Extent extent) {
-      for (std::uint32_t i = first; i < last; ++i) extent.Extend(references_[i]);
+  // Part the references by the best split, else by kind, else in the middle. Returns false if a leaf is
+  // better.
+  bool Part(const Range& range, bool mixed, bool mayBeLeaf, float leafCost, int depth, Range& left,
+            Range& right) {
+    if (depth < MaxSahDepth) {
+      const BinMap map(range);
+      const Split split = FindSplit(range, map);
+      const float area = std::max(range.extent.box.HalfArea(), std::numeric_limits<float>::min());
+      if (mayBeLeaf && leafCost <= TraversalCost + split.cost / area) return false;
+      if (split.axis >= 0) {
+        const auto goesLeft = [&](const PrimitiveRef& ref) {
+          return map.Bin(ref, split.axis) < split.bin;
+        };
+        if (Partition(range, goesLeft, left, right)) return true;
+      }
+    } else if (mayBeLeaf) {
+      return false;
+    }
+    if (mixed) {
+      const LeafKind kind = references_[range.first].Kind();
+      const auto isKind = [&](const PrimitiveRef& ref) { return ref.Kind() == kind; };
+      if (Partition(range, isKind, left, right)) return true;
+    }
+    const std::uint32_t middle = range.first + range.Count() / 2;
+    left = {range.first, middle, ExtentOf(range.first, middle)};
+    right = {middle, range.last, ExtentOf(middle, range.last)};
+    return true;
+  }
+
+  Extent ExtentOf(std::uint32_t first, std::uint32_t last) const {
+    const auto scan = [&](std::uint32_t from, std::uint32_t to, Extent extent) {
+      for (std::uint32_t i = from; i < to; ++i) extent.Extend(references_[i]);
       return extent;
     };
-    if (range.Count() < ParallelSize) return scan(range.first, range.last, {});
+    if (last - first < ParallelSize) return scan(first, last, {});
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(range.first, range.last, ParallelSize / 4), Extent{},
+        tbb::blocked_range<std::uint32_t>(first, last, ParallelSize / 4), Extent{},
         [&](const auto& part, Extent extent) { return scan(part.begin(), part.end(), extent); },
         [](Extent a, const Extent& b) {
           a.Extend(b);
@@ -175,119 +243,103 @@ class Builder {
         });
   }
 
-  Split FindSplit(Range range, const Extent& extent) const {
-    const BinMap map(extent.centroids);
-    const auto scan = [&](std::uint32_t first, std::uint32_t last, Bins bins) {
-      for (std::uint32_t i = first; i < last; ++i) bins.Add(references_[i], map);
-      return bins;
-    };
-    const Bins bins =
-        range.Count() < ParallelSize
-            ? scan(range.first, range.last, {})
-            : tbb::parallel_reduce(
-                  tbb::blocked_range<std::uint32_t>(range.first, range.last, ParallelSize / 4),
-                  Bins{},
-                  [&](const auto& part, Bins sum) { return scan(part.begin(), part.end(), sum); },
-                  [](Bins a, const Bins& b) {
-                    a.Add(b);
-                    return a;
-                  });
-
-    Split best;
-    const float area = std::max(extent.bounds.HalfArea(), std::numeric_limits<float>::min());
-    for (int axis = 0; axis < 3; ++axis) {
-      if (map.scale[axis] == 0.0f) continue;
-      const auto& bounds = bins.bounds[std::size_t(axis)];
-      const auto& weights = bins.weights[std::size_t(axis)];
-
-      // Sweep from the right for the costs of the right sides, then from the left
-      std::array<float, BinCount> rightCost;
-      Bounds side;
-      std::uint64_t weight = 0;
-      for (std::size_t bin = BinCount - 1; bin > 0; --bin) {
-        side.Extend(bounds[bin]);
-        weight += weights[bin];
-        rightCost[bin] = SideCost(side, weight);
-      }
-      side = {};
-      weight = 0;
-      for (std::size_t bin = 1; bin < BinCount; ++bin) {
-        side.Extend(bounds[bin - 1]);
-        weight += weights[bin - 1];
-        const float cost = (SideCost(side, weight) + rightCost[bin]) / area;
-        const bool parts = weight > 0 && weight < extent.weight;
-        if (parts && cost < best.cost) best = {cost, axis, int(bin)};
-      }
-    }
-    return best;
-  }
-
-  // Blocks of triangles, or as much work.
-  static float LeafCost(std::uint64_t weight) {
-    return float((weight + BlockWidth - 1) / BlockWidth);
-  }
-  static float SideCost(const Bounds& bounds, std::uint64_t weight) {
-    return weight == 0 ? 0.0f : bounds.HalfArea() * LeafCost(weight);
-  }
-
-  // Bring those that go left to the front, keeping the order on both sides; returns where the right begins.
-  template <class GoesLeft>
-  std::uint32_t Partition(Range range, const GoesLeft& goesLeft) {
+  Split FindSplit(const Range& range, const BinMap& map) const {
+    Bins bins;
+    bins.Clear(map.count);
     if (range.Count() < ParallelSize) {
-      std::uint32_t left = range.first;
-      std::uint32_t right = range.first;
-      for (std::uint32_t i = range.first; i < range.last; ++i) {
-        if (goesLeft(references_[i])) {
-          references_[left++] = references_[i];
+      for (std::uint32_t i = range.first; i < range.last; ++i) bins.Add(references_[i], map);
+      return BestSplit(bins, map);
+    }
+    bins = tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(range.first, range.last, ParallelSize / 4), bins,
+        [&](const auto& part, Bins sum) {
+          for (std::uint32_t i = part.begin(); i < part.end(); ++i) sum.Add(references_[i], map);
+          return sum;
+        },
+        [&](Bins a, const Bins& b) {
+          a.Add(b, map.count);
+          return a;
+        });
+    return BestSplit(bins, map);
+  }
+
+  // Bring those that go left to the front. Returns false if all go to one side.
+  template <class GoesLeft>
+  bool Partition(const Range& range, const GoesLeft& goesLeft, Range& left, Range& right) {
+    left = {range.first, range.first, {}};
+    right = {range.last, range.last, {}};
+    if (range.Count() < ParallelSize) {
+      std::uint32_t next = range.first;
+      while (next < right.first) {
+        PrimitiveRef& ref = references_[next];
+        if (goesLeft(ref)) {
+          left.extent.Extend(ref);
+          ++next;
         } else {
-          scratch_[right++] = references_[i];
+          right.extent.Extend(ref);
+          std::swap(ref, references_[--right.first]);
         }
       }
-      std::copy(scratch_.begin() + range.first, scratch_.begin() + right,
-                references_.begin() + left);
-      return left;
+      left.last = next;
+    } else {
+      PartitionInParallel(range, goesLeft, left, right);
     }
-
-    // Count by chunk, then let every chunk copy to its own places
-    constexpr std::uint32_t Chunk = ParallelSize / 4;
-    const std::uint32_t chunks = (range.Count() + Chunk - 1) / Chunk;
-    std::vector<std::uint32_t> lefts(chunks + 1, 0);
-    const auto chunkRange = [&](std::uint32_t c) {
-      return Range{range.first + c * Chunk, std::min(range.first + (c + 1) * Chunk, range.last)};
-    };
-    tbb::parallel_for(0u, chunks, [&](std::uint32_t c) {
-      const Range part = chunkRange(c);
-      for (std::uint32_t i = part.first; i < part.last; ++i)
-        lefts[c + 1] += goesLeft(references_[i]) ? 1 : 0;
-    });
-    for (std::uint32_t c = 0; c < chunks; ++c) lefts[c + 1] += lefts[c];
-    const std::uint32_t middle = range.first + lefts[chunks];
-    tbb::parallel_for(0u, chunks, [&](std::uint32_t c) {
-      const Range part = chunkRange(c);
-      std::uint32_t left = range.first + lefts[c];
-      std::uint32_t right = middle + (part.first - range.first) - lefts[c];
-      for (std::uint32_t i = part.first; i < part.last; ++i)
-        scratch_[goesLeft(references_[i]) ? left++ : right++] = references_[i];
-    });
-    tbb::parallel_for(0u, chunks, [&](std::uint32_t c) {
-      const Range part = chunkRange(c);
-      std::copy(scratch_.begin() + part.first, scratch_.begin() + part.last,
-                references_.begin() + part.first);
-    });
-    return middle;
+    return left.Count() > 0 && right.Count() > 0;
   }
 
-  std::vector<PrimitiveRef>& references_;
-  std::vector<PrimitiveRef> scratch_;
-  std::uint32_t maxLeafPrimitives_;
+  // The order on both sides is kept, so that it does not depend on the threads.
+  template <class GoesLeft>
+  void PartitionInParallel(const Range& range, const GoesLeft& goesLeft, Range& left,
+                           Range& right) {
+    constexpr std::uint32_t ChunkSize = ParallelSize / 4;
+    const std::uint32_t chunkCount = (range.Count() + ChunkSize - 1) / ChunkSize;
+    struct Chunk {
+      std::uint32_t lefts = 0;
+      Extent left, right;
+    };
+    std::vector<Chunk> chunks(chunkCount);
+    const auto chunkFirst = [&](std::uint32_t c) {
+      return std::min(range.first + c * ChunkSize, range.last);
+    };
+    tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+      Chunk chunk;
+      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i) {
+        const bool isLeft = goesLeft(references_[i]);
+        chunk.lefts += isLeft ? 1 : 0;
+        (isLeft ? chunk.left : chunk.right).Extend(references_[i]);
+      }
+      chunks[c] = chunk;
+    });
+    std::vector<std::uint32_t> lefts(chunkCount + 1, 0);
+    for (std::uint32_t c = 0; c < chunkCount; ++c) {
+      lefts[c + 1] = lefts[c] + chunks[c].lefts;
+      left.extent.Extend(chunks[c].left);
+      right.extent.Extend(chunks[c].right);
+    }
+    const std::uint32_t middle = range.first + lefts[chunkCount];
+    left.last = right.first = middle;
+    tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+      std::uint32_t toLeft = range.first + lefts[c];
+      std::uint32_t toRight = middle + (chunkFirst(c) - range.first) - lefts[c];
+      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i)
+        scratch_[goesLeft(references_[i]) ? toLeft++ : toRight++] = references_[i];
+    });
+    tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+      std::copy(scratch_.begin() + chunkFirst(c), scratch_.begin() + chunkFirst(c + 1),
+                references_.begin() + chunkFirst(c));
+    });
+  }
+
+  HugeVector<PrimitiveRef>& references_;
+  HugeVector<PrimitiveRef> scratch_;
   BinaryTree tree_;
 };
 
 }  // namespace
 
-BinaryTree BuildBinaryTree(std::vector<PrimitiveRef>& references, std::uint32_t maxLeafPrimitives) {
+BinaryTree BuildBinaryTree(HugeVector<PrimitiveRef>& references) {
   CHECK(!references.empty());
-  return Builder(references, maxLeafPrimitives).Build();
+  return Builder(references).Build();
 }
 
 }  // namespace snell::bvh

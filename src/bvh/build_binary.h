@@ -6,36 +6,35 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "bvh/bounds.h"
-#include "bvh/node.h"
+#include "bvh/references.h"
 
 namespace snell::bvh {
 
-// One primitive to be placed in the tree.
-struct PrimitiveRef {
-  vec3 lower;
-  std::uint32_t id;
-  vec3 upper;
-  LeafKind kind;
-};
-
-// A node covers the references [first, first + count). It is a leaf if `right` is 0; else its left child is
-// the next node and `right` the index of the other one.
+// A node covers the references [first, first + count). The children of an inner node are the next node and
+// the one at `right`, which is 0 in a leaf.
 struct BinaryNode {
-  Bounds bounds;
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  std::uint32_t right = 0;
+  Box box;
+
+  std::uint32_t Count() const { return std::bit_cast<std::uint32_t>(box.lower[3]); }
+  std::uint32_t Right() const { return std::bit_cast<std::uint32_t>(box.upper[3]); }
+  bool IsLeaf() const { return Right() == 0; }
+  void Set(const Box& bounds, std::uint32_t count, std::uint32_t right) {
+    box = bounds;
+    box.lower[3] = std::bit_cast<float>(count);
+    box.upper[3] = std::bit_cast<float>(right);
+  }
 };
 
-struct BinaryTree {
-  std::vector<BinaryNode> nodes;  // the root is the first; unused ones lie between (count 0)
-};
+// The root is the first node. A subtree over n references takes 2n − 1 places, of which leaves of several
+// references leave some unused.
+using BinaryTree = HugeVector<BinaryNode>;
+
+// Pairs of triangles, shapes or instances in one leaf, at most.
+inline constexpr std::uint32_t MaxLeafCount = BlockWidth;
 
 // Builds the tree and brings `references` into the order of its leaves. Every leaf holds primitives of one
-// kind, at most `maxLeafPrimitives` of them. `references` must not be empty and all boxes must be finite.
-BinaryTree BuildBinaryTree(std::vector<PrimitiveRef>& references, std::uint32_t maxLeafPrimitives);
+// kind, at most MaxLeafCount of them. `references` must not be empty and all boxes must be finite.
+BinaryTree BuildBinaryTree(HugeVector<PrimitiveRef>& references);
 
 }  // namespace snell::bvh

@@ -59,12 +59,14 @@ class Walker {
     ++census_.nodes;
     const WideNode& node = arrays_.nodes.at(ref);
     int children = 0;
-    for (int i = 0; i < Width; ++i) children += node.bounds[0][i] <= node.bounds[3][i] ? 1 : 0;
+    for (int i = 0; i < Width; ++i)
+      children += node.planes[0][i] <= -node.planes[0][Width + i] ? 1 : 0;
     if (children < 2) ++census_.faults;
     for (int i = children; i < Width; ++i) census_.faults += node.child[i] != NoChild;
     for (int i = 0; i < children; ++i) {
-      const Bounds box{{node.bounds[0][i], node.bounds[1][i], node.bounds[2][i]},
-                       {node.bounds[3][i], node.bounds[4][i], node.bounds[5][i]}};
+      const auto upper = [&](int axis) { return -node.planes[axis][Width + i]; };
+      const Bounds box{{node.planes[0][i], node.planes[1][i], node.planes[2][i]},
+                       {upper(0), upper(1), upper(2)}};
       if (!Holds(bounds, box.lower) || !Holds(bounds, box.upper)) ++census_.faults;
       Visit(node.child[i], box, depth + 1, waiting + children - 1);
     }
@@ -81,16 +83,20 @@ class Walker {
     }
   }
 
-  void VisitBlock(const TriangleBlock& block, const Bounds& bounds) {
-    for (int lane = 0; lane < BlockWidth; ++lane) {
-      if (block.id[lane] == None) continue;
-      ++census_.triangles[block.id[lane]];
-      const kernel::Triangle& t = geometry_.triangles[block.id[lane]];
-      const std::uint32_t vertices[3] = {t.v0, t.v1, t.v2};
-      for (int v = 0; v < 3; ++v) {
-        const vec3 p(block.vertex[3 * v][lane], block.vertex[3 * v + 1][lane],
-                     block.vertex[3 * v + 2][lane]);
-        if (p != geometry_.positions[vertices[v]] || !Holds(bounds, p)) ++census_.faults;
+  void VisitBlock(const PairBlock& block, const Bounds& bounds) {
+    for (std::uint32_t lane = 0; lane < BlockWidth; ++lane) {
+      for (std::uint32_t second = 0; second < 2; ++second) {
+        const std::uint32_t id = block.id[second * BlockWidth + lane];
+        if (id == None) continue;
+        ++census_.triangles[TriangleOf(id)];
+        const kernel::Triangle& t = geometry_.triangles[TriangleOf(id)];
+        const std::uint32_t vertices[3] = {t.v0, t.v1, t.v2};
+        for (std::uint32_t v = 0; v < 3; ++v) {
+          const std::uint32_t corners[3] = {0, 1 + second, 2 + second};
+          const std::uint32_t place = corners[(TurnOf(id) + v) % 3] * BlockWidth + lane;
+          const vec3 p(block.corner[0][place], block.corner[1][place], block.corner[2][place]);
+          if (p != geometry_.positions[vertices[v]] || !Holds(bounds, p)) ++census_.faults;
+        }
       }
     }
   }
@@ -235,7 +241,7 @@ TEST(TreeDepth, StaysSmallForOrdinaryMeshes) {
   // Leaves are well filled: at least two triangles to a block
   EXPECT_LE(bvh.arrays().blocks.size(), mesh.triangles.size() / 2);
   EXPECT_EQ(bvh.MemoryBytes(), bvh.arrays().nodes.size() * sizeof(WideNode) +
-                                   bvh.arrays().blocks.size() * sizeof(TriangleBlock) +
+                                   bvh.arrays().blocks.size() * sizeof(PairBlock) +
                                    bvh.trees().size() * sizeof(Tree));
 }
 

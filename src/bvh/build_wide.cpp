@@ -2,7 +2,11 @@
 #include "bvh/build_wide.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "util/check.h"
@@ -12,117 +16,257 @@ namespace snell::bvh {
 
 namespace {
 
+constexpr float Inf = std::numeric_limits<float>::infinity();
+constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+// Subtrees over more references are collapsed by tasks of their own.
+constexpr std::uint32_t TaskSize = 4096;
+
+// How much of each array a subtree takes.
+struct Usage {
+  std::uint32_t nodes = 0;
+  std::uint32_t blocks = 0;
+  std::uint32_t items = 0;
+
+  Usage& operator+=(const Usage& other) {
+    nodes += other.nodes;
+    blocks += other.blocks;
+    items += other.items;
+    return *this;
+  }
+};
+
+struct Children {
+  std::uint32_t index[Width];
+  std::uint32_t first[Width];  // where their references begin
+  int count = 0;
+};
+
 class Collapser {
  public:
-  Collapser(const BinaryTree& tree, const std::vector<PrimitiveRef>& references,
+  Collapser(const BinaryTree& tree, const HugeVector<PrimitiveRef>& references,
             const Geometry& geometry, WideArrays& arrays)
-      : tree_(tree), references_(references), geometry_(geometry), arrays_(arrays) {}
+      : tree_(tree), references_(references), geometry_(geometry), arrays_(arrays) {
+    usages_.resize(tree.size());
+  }
 
-  ChildRef Collapse(std::uint32_t index) {
-    const BinaryNode& node = tree_.nodes[index];
-    if (node.right == 0) return PackLeaf(node);
-
-    // Open the inner child of the largest area until there are eight
-    std::uint32_t children[Width] = {index + 1, node.right};
-    int count = 2;
-    while (count < Width) {
-      int largest = -1;
-      float largestArea = -1.0f;
-      for (int i = 0; i < count; ++i) {
-        const BinaryNode& child = tree_.nodes[children[i]];
-        if (child.right != 0 && child.bounds.HalfArea() > largestArea) {
-          largest = i;
-          largestArea = child.bounds.HalfArea();
-        }
-      }
-      if (largest < 0) break;
-      const std::uint32_t opened = children[largest];
-      children[largest] = opened + 1;
-      children[count++] = tree_.nodes[opened].right;
-    }
-
-    // Reserve the place first, so that parents come before their children
-    const std::uint32_t place = std::uint32_t(arrays_.nodes.size());
-    CHECK(place < LeafBit);
-    arrays_.nodes.push_back(EmptyNode());
-    for (int i = 0; i < count; ++i) {
-      const Bounds& bounds = tree_.nodes[children[i]].bounds;
-      const ChildRef ref = Collapse(children[i]);
-      WideNode& wide = arrays_.nodes[place];
-      for (int axis = 0; axis < 3; ++axis) {
-        wide.bounds[axis][i] = bounds.lower[axis];
-        wide.bounds[3 + axis][i] = bounds.upper[axis];
-      }
-      wide.child[i] = ref;
-    }
-    return place;
+  ChildRef Collapse() {
+    const Usage total = Plan(0, 0);
+    Usage start{std::uint32_t(arrays_.nodes.size()), std::uint32_t(arrays_.blocks.size()),
+                std::uint32_t(arrays_.items.size())};
+    const std::uint64_t elements = std::max(std::uint64_t(start.blocks) + total.blocks,
+                                            std::uint64_t(start.items) + total.items);
+    if (elements > MaxElementIndex)
+      throw Error(fmt::format("the scene has more geometry than a BVH holds ({} leaf elements)",
+                              MaxElementIndex));
+    arrays_.nodes.resize(start.nodes + total.nodes);
+    arrays_.blocks.resize(start.blocks + total.blocks);
+    arrays_.items.resize(start.items + total.items);
+    ChildRef root = NoChild;
+    Emit(0, 0, start, root);
+    return root;
   }
 
  private:
-  static WideNode EmptyNode() {
-    WideNode node;
+  // Open the inner child of the largest area until there are eight.
+  Children ChildrenOf(std::uint32_t parent, std::uint32_t firstReference) const {
+    Children children;
+    const auto add = [&](int at, std::uint32_t index, std::uint32_t first) {
+      children.index[at] = index;
+      children.first[at] = first;
+    };
+    float areas[Width];
+    const auto measure = [&](int at) {
+      const BinaryNode& node = tree_[children.index[at]];
+      areas[at] = node.IsLeaf() ? -1.0f : node.box.HalfArea();
+    };
+    add(0, parent + 1, firstReference);
+    add(1, tree_[parent].Right(), firstReference + tree_[parent + 1].Count());
+    measure(0);
+    measure(1);
+    children.count = 2;
+    while (children.count < Width) {
+      const int largest = int(std::max_element(areas, areas + children.count) - areas);
+      if (areas[largest] < 0.0f) break;
+      const std::uint32_t opened = children.index[largest], first = children.first[largest];
+      add(largest, opened + 1, first);
+      add(children.count, tree_[opened].Right(), first + tree_[opened + 1].Count());
+      measure(largest);
+      measure(children.count++);
+    }
+    return children;
+  }
+
+  // What a subtree will take.
+  Usage Plan(std::uint32_t index, std::uint32_t firstReference) {
+    Usage usage;
+    const BinaryNode& node = tree_[index];
+    if (node.IsLeaf()) {
+      if (references_[firstReference].Kind() == LeafKind::Triangles) {
+        usage.blocks = 1;
+      } else {
+        usage.items = node.Count();
+      }
+      return usage;
+    }
+    const Children children = ChildrenOf(index, firstReference);
+    usage.nodes = 1;
+    if (node.Count() > TaskSize) {
+      Usage parts[Width];
+      tbb::parallel_for(0, children.count,
+                        [&](int i) { parts[i] = Plan(children.index[i], children.first[i]); });
+      for (int i = 0; i < children.count; ++i) usage += parts[i];
+    } else {
+      for (int i = 0; i < children.count; ++i) usage += Plan(children.index[i], children.first[i]);
+    }
+    return usages_[index] = usage;
+  }
+
+  // Write a subtree to its place. Returns its surface, the sum over its primitives.
+  float Emit(std::uint32_t index, std::uint32_t firstReference, Usage start, ChildRef& ref) {
+    const BinaryNode& node = tree_[index];
+    if (node.IsLeaf()) {
+      const LeafKind kind = references_[firstReference].Kind();
+      if (kind == LeafKind::Triangles) {
+        ref = LeafRef(kind, start.blocks, 1);
+        return PackBlock(start.blocks, firstReference, node.Count());
+      }
+      ref = LeafRef(kind, start.items, node.Count());
+      for (std::uint32_t i = 0; i < node.Count(); ++i)
+        arrays_.items[start.items + i] = references_[firstReference + i].First();
+      return node.box.HalfArea();
+    }
+
+    const Children children = ChildrenOf(index, firstReference);
+    ref = start.nodes++;
+    Usage starts[Width];
+    for (int i = 0; i < children.count; ++i) {
+      starts[i] = start;
+      const BinaryNode& child = tree_[children.index[i]];
+      if (!child.IsLeaf()) {
+        start += usages_[children.index[i]];
+      } else if (references_[children.first[i]].Kind() == LeafKind::Triangles) {
+        ++start.blocks;
+      } else {
+        start.items += child.Count();
+      }
+    }
+    ChildRef refs[Width];
+    float surfaces[Width];
+    const auto emit = [&](int i) {
+      surfaces[i] = Emit(children.index[i], children.first[i], starts[i], refs[i]);
+    };
+    if (node.Count() > TaskSize) {
+      tbb::parallel_for(0, children.count, emit);
+    } else {
+      for (int i = 0; i < children.count; ++i) emit(i);
+    }
+
+    // Put first what is likely to stop a shadow ray at little cost
+    int order[Width];
+    float worth[Width];
+    float surface = 0;
+    for (int i = 0; i < children.count; ++i) {
+      order[i] = i;
+      const BinaryNode& child = tree_[children.index[i]];
+      worth[i] =
+          std::min(surfaces[i], child.box.HalfArea()) / (1.0f + std::log2(float(child.Count())));
+      surface += surfaces[i];
+    }
+    for (int i = 1; i < children.count; ++i) {
+      for (int j = i; j > 0 && worth[order[j - 1]] < worth[order[j]]; --j)
+        std::swap(order[j - 1], order[j]);
+    }
+    WideNode& wide = arrays_.nodes[ref];
     for (int i = 0; i < Width; ++i) {
+      const bool missing = i >= children.count;
+      const Box box = missing ? Box() : tree_[children.index[order[i]]].box;
       for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[axis][i] = std::numeric_limits<float>::infinity();
-        node.bounds[3 + axis][i] = -std::numeric_limits<float>::infinity();
+        wide.planes[axis][i] = box.lower[axis];
+        wide.planes[axis][Width + i] = -box.upper[axis];
       }
-      node.child[i] = NoChild;
+      wide.child[i] = missing ? NoChild : refs[order[i]];
     }
-    return node;
+    std::ranges::fill(wide.unused, 0u);
+    return surface;
   }
 
-  ChildRef PackLeaf(const BinaryNode& leaf) {
-    const LeafKind kind = references_[leaf.first].kind;
-    if (kind == LeafKind::Triangles) return PackTriangles(leaf);
-    const std::size_t first = arrays_.items.size();
-    CheckIndex(first + leaf.count);
-    for (std::uint32_t i = 0; i < leaf.count; ++i)
-      arrays_.items.push_back(references_[leaf.first + i].id);
-    return LeafRef(kind, std::uint32_t(first), leaf.count);
-  }
-
-  ChildRef PackTriangles(const BinaryNode& leaf) {
-    const std::uint32_t blockCount = (leaf.count + BlockWidth - 1) / BlockWidth;
-    const std::size_t first = arrays_.blocks.size();
-    CheckIndex(first + blockCount);
-    for (std::uint32_t b = 0; b < blockCount; ++b) {
-      TriangleBlock block = {};
-      for (std::uint32_t lane = 0; lane < BlockWidth; ++lane) {
-        const std::uint32_t i = b * BlockWidth + lane;
-        block.id[lane] = None;
-        if (i >= leaf.count) continue;
-        block.id[lane] = references_[leaf.first + i].id;
-        const kernel::Triangle& triangle = geometry_.triangles[block.id[lane]];
-        const vec3 p[3] = {geometry_.positions[triangle.v0], geometry_.positions[triangle.v1],
-                           geometry_.positions[triangle.v2]};
-        for (int v = 0; v < 3; ++v) {
-          for (int axis = 0; axis < 3; ++axis) block.vertex[3 * v + axis][lane] = p[v][axis];
-        }
+  // Returns the pairs' area.
+  float PackBlock(std::uint32_t place, std::uint32_t first, std::uint32_t count) {
+    PairBlock& block = arrays_.blocks[place];
+    std::ranges::fill(block.unused, 0u);
+    float area = 0;
+    for (std::uint32_t lane = 0; lane < BlockWidth; ++lane) {
+      if (lane >= count) {
+        SetCorners(block, lane, {vec3(NaN), vec3(NaN), vec3(NaN), vec3(NaN)});
+        block.id[lane] = block.id[BlockWidth + lane] = None;
+        continue;
       }
-      arrays_.blocks.push_back(block);
+      const PrimitiveRef& ref = references_[first + lane];
+      const std::uint32_t i = ref.First(), j = ref.Second();
+      const kernel::Triangle& s = geometry_.triangles[i];
+      const std::uint32_t v[5] = {s.v0, s.v1, s.v2, s.v0, s.v1};
+      if (j == MaxTriangles) {
+        const vec3 last = geometry_.positions[v[2]];
+        area += SetCorners(block, lane,
+                           {geometry_.positions[v[0]], geometry_.positions[v[1]], last, last});
+        block.id[lane] = i;
+        block.id[BlockWidth + lane] = None;
+        continue;
+      }
+      const kernel::Triangle& t = geometry_.triangles[j];
+      const std::uint32_t w[5] = {t.v0, t.v1, t.v2, t.v0, t.v1};
+      // The shared edge runs from p2 to p0 in the first triangle
+      const SharedEdge edge = FindSharedEdge(s, t);
+      area += SetCorners(block, lane,
+                         {geometry_.positions[v[edge.a + 1]], geometry_.positions[v[edge.a + 2]],
+                          geometry_.positions[v[edge.a]], geometry_.positions[w[edge.b + 2]]});
+      block.id[lane] = i | (2 - edge.a) << 30;
+      block.id[BlockWidth + lane] = j | (3 - edge.b) % 3 << 30;
     }
-    return LeafRef(LeafKind::Triangles, std::uint32_t(first), blockCount);
+    return area;
   }
 
-  static void CheckIndex(std::size_t end) {
-    if (end > MaxElementIndex)
-      throw Error(fmt::format("the scene has more geometry than a BVH holds ({} leaf elements)",
-                              MaxElementIndex));
+  struct Corners {
+    vec3 p[4];
+  };
+  static float SetCorners(PairBlock& block, std::uint32_t lane, const Corners& corners) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      for (int axis = 0; axis < 3; ++axis)
+        block.corner[axis][k * BlockWidth + lane] = corners.p[k][axis];
+    }
+    // The second triangle's edges as the sums of its own order would be, and the first one's
+    const auto extent = [&](int i, int j) {
+      const vec3 edge = kernel::Abs(corners.p[j] - corners.p[i]);
+      return edge.x + edge.y + edge.z;
+    };
+    const float a = extent(0, 1), b = extent(1, 2), c = extent(2, 0), d = extent(2, 3),
+                e = extent(3, 0);
+    block.size[lane] = (std::max({a + b, b + c, c + a, d + e, c + d, c + e})) * (1 + 1e-5f);
+    const vec3 diagonal = corners.p[2] - corners.p[0];
+    return 0.5f * (kernel::Length(kernel::Cross(corners.p[1] - corners.p[0], diagonal)) +
+                   kernel::Length(kernel::Cross(corners.p[3] - corners.p[0], diagonal)));
   }
 
   const BinaryTree& tree_;
-  const std::vector<PrimitiveRef>& references_;
+  const HugeVector<PrimitiveRef>& references_;
   const Geometry& geometry_;
   WideArrays& arrays_;
+  HugeVector<Usage> usages_;
 };
 
 }  // namespace
 
-ChildRef AppendWideTree(const BinaryTree& tree, const std::vector<PrimitiveRef>& references,
+ChildRef AppendWideTree(const BinaryTree& tree, const HugeVector<PrimitiveRef>& references,
                         const Geometry& geometry, WideArrays& arrays) {
-  // The block that missing children lead to
-  if (arrays.blocks.empty()) arrays.blocks.push_back({{}, {None, None, None, None}});
-  return Collapser(tree, references, geometry, arrays).Collapse(0);
+  if (arrays.blocks.empty()) {
+    // The block that missing children lead to
+    arrays.blocks.resize(1);
+    std::ranges::fill(arrays.blocks[0].id, None);
+    std::ranges::fill(arrays.blocks[0].size, 0.0f);
+    std::ranges::fill(arrays.blocks[0].unused, 0u);
+    for (auto& row : arrays.blocks[0].corner) std::ranges::fill(row, NaN);
+  }
+  return Collapser(tree, references, geometry, arrays).Collapse();
 }
 
 }  // namespace snell::bvh

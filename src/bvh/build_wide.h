@@ -4,22 +4,19 @@
 // triangle blocks and lists.
 #pragma once
 
-#include <vector>
-
 #include "bvh/build_binary.h"
-#include "bvh/node.h"
 
 namespace snell::bvh {
 
 // The arrays that all trees of a BVH share.
 struct WideArrays {
-  std::vector<WideNode> nodes;
-  std::vector<TriangleBlock> blocks;
+  HugeVector<WideNode> nodes;
+  HugeVector<PairBlock> blocks;
   std::vector<std::uint32_t> items;  // shapes or instances of leaves
 };
 
 // Append a tree to the arrays; returns its root. `references` are in the order of the tree's leaves.
-ChildRef AppendWideTree(const BinaryTree& tree, const std::vector<PrimitiveRef>& references,
+ChildRef AppendWideTree(const BinaryTree& tree, const HugeVector<PrimitiveRef>& references,
                         const Geometry& geometry, WideArrays& arrays);
 
 }  // namespace snell::bvh

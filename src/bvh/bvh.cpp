@@ -8,8 +8,12 @@
 
 namespace snell::bvh {
 
-// Triangles come in blocks of four; two blocks are tested at about the price of a node.
-static constexpr std::uint32_t MaxLeafPrimitives = 8;
+static Box BoxOf(const Bounds& bounds) {
+  Box box;
+  box.lower = Vec4{bounds.lower.x, bounds.lower.y, bounds.lower.z, 0};
+  box.upper = Vec4{bounds.upper.x, bounds.upper.y, bounds.upper.z, 0};
+  return box;
+}
 
 Bvh::Bvh(const Geometry& geometry)
     : geometry_(geometry), traversal_(&TraversalFor(BestInstructionSet())) {
@@ -22,23 +26,21 @@ Bvh::Bvh(const Geometry& geometry)
     const auto [known, isNew] = treeOfMesh.try_emplace(
         {instance.firstTriangle, instance.triangleCount}, std::uint32_t(trees_.size()));
     if (isNew) {
-      std::vector<PrimitiveRef> references;
-      AddTriangles(instance.firstTriangle, instance.triangleCount, references);
-      Bounds bounds;
-      for (const PrimitiveRef& ref : references) bounds.Extend(Bounds{ref.lower, ref.upper});
-      treeBounds.push_back(bounds);
-      trees_.push_back(BuildTree(references));
+      HugeVector<PrimitiveRef> references =
+          PairTriangles(geometry, instance.firstTriangle, instance.triangleCount, dropped_);
+      treeBounds.emplace_back();
+      trees_.push_back(BuildTree(references, treeBounds.back()));
     }
     instance.root = known->second;
   }
 
   // Build the world's tree over triangles, shapes and instances
-  std::vector<PrimitiveRef> references;
-  AddTriangles(0, geometry.worldTriangles, references);
+  HugeVector<PrimitiveRef> references =
+      PairTriangles(geometry, 0, geometry.worldTriangles, dropped_);
   for (std::uint32_t i = 0; i < geometry.shapes.size(); ++i) {
     const Bounds bounds = ShapeBounds(geometry.shapes[i]);
     if (bounds.Finite()) {
-      references.push_back({bounds.lower, i, bounds.upper, LeafKind::Shapes});
+      references.emplace_back(BoxOf(bounds), LeafKind::Shapes, i);
       view_.treeMask |= MaskOf(geometry.shapes[i].object);
     } else {
       unbounded_.push_back(i);
@@ -50,13 +52,13 @@ Bvh::Bvh(const Geometry& geometry)
     if (local.Empty()) continue;
     const Bounds bounds = TransformedBounds(instance.toWorld, local);
     if (bounds.Finite()) {
-      references.push_back({bounds.lower, i, bounds.upper, LeafKind::Instances});
+      references.emplace_back(BoxOf(bounds), LeafKind::Instances, i);
       view_.treeMask |= MaskOf(instance.object);
     } else {
       ++dropped_;
     }
   }
-  trees_[0] = BuildTree(references);
+  trees_[0] = BuildTree(references, treeBounds[0]);
   FindTriangleMasks();
 
   view_ = {arrays_.nodes.data(),   arrays_.blocks.data(),     arrays_.items.data(),
@@ -65,24 +67,12 @@ Bvh::Bvh(const Geometry& geometry)
            geometry.shapes.data(), geometry.instances.data(), geometry.objects.data()};
 }
 
-void Bvh::AddTriangles(std::uint32_t first, std::uint32_t count,
-                       std::vector<PrimitiveRef>& references) {
-  references.reserve(references.size() + count);
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const Bounds bounds = TriangleBounds(geometry_, i);
-    if (bounds.Finite()) {
-      references.push_back({bounds.lower, i, bounds.upper, LeafKind::Triangles});
-    } else {
-      ++dropped_;
-    }
-  }
-}
-
-Tree Bvh::BuildTree(std::vector<PrimitiveRef>& references) {
+Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {
   Tree tree;
   if (references.empty()) return tree;
-  const BinaryTree binary = BuildBinaryTree(references, MaxLeafPrimitives);
-  const Bounds& bounds = binary.nodes[0].bounds;
+  const BinaryTree binary = BuildBinaryTree(references);
+  const Box& box = binary[0].box;
+  bounds = {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
   for (int axis = 0; axis < 3; ++axis)
     tree.reach[axis] = std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
   tree.root = AppendWideTree(binary, references, geometry_, arrays_);
@@ -92,16 +82,22 @@ Tree Bvh::BuildTree(std::vector<PrimitiveRef>& references) {
 std::uint32_t Bvh::MaskOf(std::uint32_t object) const { return geometry_.objects[object].mask; }
 
 void Bvh::FindTriangleMasks() {
-  std::uint32_t& shared = trees_[0].triangleMask;
+  // Triangles of a mesh follow each other
+  Tree& world = trees_[0];
+  world.commonMask = ~0u;
+  std::uint32_t mesh = None;
   for (std::uint32_t i = 0; i < geometry_.worldTriangles; ++i) {
-    const std::uint32_t mask = MaskOf(geometry_.meshes[geometry_.triangles[i].mesh].object);
-    view_.treeMask |= mask;
-    shared = i == 0 || mask == shared ? mask : MixedMask;
+    if (geometry_.triangles[i].mesh == mesh) continue;
+    mesh = geometry_.triangles[i].mesh;
+    const std::uint32_t mask = MaskOf(geometry_.meshes[mesh].object);
+    world.commonMask &= mask;
+    world.anyMask |= mask;
   }
+  view_.treeMask |= world.anyMask;
 }
 
 std::uint64_t Bvh::MemoryBytes() const {
-  return arrays_.nodes.size() * sizeof(WideNode) + arrays_.blocks.size() * sizeof(TriangleBlock) +
+  return arrays_.nodes.size() * sizeof(WideNode) + arrays_.blocks.size() * sizeof(PairBlock) +
          arrays_.items.size() * sizeof(std::uint32_t) + trees_.size() * sizeof(Tree);
 }
 

@@ -27,7 +27,7 @@ class Bvh {
 
   // The nearest hit at 0 < t ≤ tMax (in units of d's length) on an object whose mask shares a bit with
   // `mask`.
-  kernel::Hit Closest(const kernel::Ray& ray, float tMax, std::uint32_t mask) const {
+  Intersection Closest(const kernel::Ray& ray, float tMax, std::uint32_t mask) const {
     return traversal_->closest(view_, ray, tMax, mask);
   }
   // Whether there is any such hit.
@@ -46,11 +46,11 @@ class Bvh {
   // The arrays themselves, for devices that take a copy.
   const WideArrays& arrays() const { return arrays_; }
   const std::vector<Tree>& trees() const { return trees_; }
+  const View& view() const { return view_; }
 
  private:
-  Tree BuildTree(std::vector<PrimitiveRef>& references);
-  void AddTriangles(std::uint32_t first, std::uint32_t count,
-                    std::vector<PrimitiveRef>& references);
+  // Also tells the tree's bounds.
+  Tree BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds);
   std::uint32_t MaskOf(std::uint32_t object) const;
   void FindTriangleMasks();
 

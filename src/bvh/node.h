@@ -13,7 +13,8 @@ namespace snell::bvh {
 using kernel::None;
 
 // Where a child leads. Bit 31 marks a leaf; a leaf's bits 29–30 tell its kind, bits 25–28 its count less
-// one, bits 0–24 where its first element is. An inner child is the index of its node.
+// one, bits 0–24 where its first element is. An inner child is the index of its node. A leaf of triangles is
+// one block.
 using ChildRef = std::uint32_t;
 
 enum class LeafKind : std::uint32_t { Triangles = 0, Shapes = 1, Instances = 2 };
@@ -35,29 +36,41 @@ inline constexpr ChildRef NoChild = LeafRef(LeafKind::Triangles, 0, 1);
 
 inline constexpr int Width = 8;
 
-// Bounds of eight children by axis: bounds[axis] are the lower and bounds[3 + axis] the upper ones. A
-// missing child has inverted bounds, which only rays meet whose numbers overflow or are none; for their sake
-// it is the leaf NoChild.
-struct alignas(32) WideNode {
-  float bounds[6][Width];
+// Bounds of eight children: planes[axis] are the eight lower bounds along the axis and then the eight upper
+// ones times −1, so that rays treat both alike. A missing child has inverted bounds, which only rays meet
+// whose numbers overflow or are none; for their sake it is the leaf NoChild. Children that are likely to stop
+// a shadow ray cheaply come first.
+struct alignas(64) WideNode {
+  float planes[3][2 * Width];
   ChildRef child[Width];
+  std::uint32_t unused[8];  // 0
 };
 
 inline constexpr int BlockWidth = 4;
 
-// Four triangles, vertex by vertex: vertex[3·i + axis]. A missing triangle is a point and has id None.
-struct alignas(16) TriangleBlock {
-  float vertex[9][BlockWidth];
-  std::uint32_t id[BlockWidth];  // indices into the triangles
+// Four pairs of triangles that share an edge: corners p0 p1 p2 p3 are the triangles p0 p1 p2 and p0 p2 p3.
+// corner[axis][4·k + lane] is corner k of the pair in that lane. A triangle without a partner has p3 = p2; the
+// corners of a missing pair are NaN. Four cache lines.
+struct alignas(64) PairBlock {
+  float corner[3][4 * BlockWidth];
+  // The triangles p0 p1 p2 of each lane, then those p0 p2 p3. Bits 0–29 are a triangle's index, bits 30–31
+  // tell which of the three corners is its own first vertex. None: there is none.
+  std::uint32_t id[2 * BlockWidth];
+  // No smaller than the sizes of a lane's two triangles in kernel::StartsOnPlane
+  float size[BlockWidth];
+  std::uint32_t unused[4];  // 0
 };
+inline constexpr std::uint32_t MaxTriangles = (1u << 30) - 1;
+constexpr std::uint32_t TriangleOf(std::uint32_t id) { return id & MaxTriangles; }
+constexpr std::uint32_t TurnOf(std::uint32_t id) { return id >> 30; }
 
 // The root of one tree, and how far its bounds reach from the origin along each axis.
 struct Tree {
   ChildRef root = None;  // None: the tree is empty
-  float reach[3] = {0, 0, 0};
-  // The mask that all world triangles of the tree share, or MixedMask
-  std::uint32_t triangleMask = 0;
+  alignas(16) float reach[4] = {0, 0, 0, 0};
+  // The masks of the objects of the world's triangles: what all have in common, and what any has
+  std::uint32_t commonMask = 0;
+  std::uint32_t anyMask = 0;
 };
-inline constexpr std::uint32_t MixedMask = None;
 
 }  // namespace snell::bvh

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Vectors of four and eight floats in plain C++, for processors without an own version; compilers turn the
+// Vectors of four, eight and sixteen floats in plain C++, for processors without an own version; compilers turn the
 // loops into what vector instructions there are. Also the reference for the other versions.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 
+#include "kernel/dialect.h"
+
 #define SIMD_FN static inline __attribute__((always_inline))
+#define SIMD_CALL static __attribute__((noinline))        // kept out of the loops
+#define SIMD_COLD static __attribute__((noinline, cold))  // seldom called
 
 namespace snell::bvh::SNELL_ISA {
 
-// A comparison gives lanes of all or no bits.
 template <int N>
 struct Lanes {
   float v[N];
 };
 using Float4 = Lanes<4>;
 using Float8 = Lanes<8>;
+using Float16 = Lanes<16>;
 
 template <int N, class Op>
 SIMD_FN Lanes<N> Map(Lanes<N> a, Lanes<N> b, Op op) {
@@ -25,17 +29,6 @@ SIMD_FN Lanes<N> Map(Lanes<N> a, Lanes<N> b, Op op) {
   for (int i = 0; i < N; ++i) r.v[i] = op(a.v[i], b.v[i]);
   return r;
 }
-SIMD_FN std::uint32_t BitsOf(float f) {
-  std::uint32_t u;
-  std::memcpy(&u, &f, 4);
-  return u;
-}
-SIMD_FN float FloatOf(std::uint32_t u) {
-  float f;
-  std::memcpy(&f, &u, 4);
-  return f;
-}
-SIMD_FN float AllBits(bool set) { return FloatOf(set ? 0xffffffffu : 0u); }
 template <int N>
 SIMD_FN Lanes<N> Broadcast(float x) {
   Lanes<N> r;
@@ -48,66 +41,111 @@ SIMD_FN Lanes<N> LoadLanes(const float* p) {
   for (int i = 0; i < N; ++i) r.v[i] = p[i];
   return r;
 }
-
-SIMD_FN Float4 Load4(const float* p) { return LoadLanes<4>(p); }
-SIMD_FN Float8 Load8(const float* p) { return LoadLanes<8>(p); }
-SIMD_FN void Store4(float* p, Float4 a) { std::memcpy(p, a.v, sizeof a.v); }
-SIMD_FN void Store8(float* p, Float8 a) { std::memcpy(p, a.v, sizeof a.v); }
-SIMD_FN Float4 Set4(float x) { return Broadcast<4>(x); }
-SIMD_FN Float8 Set8(float x) { return Broadcast<8>(x); }
-
-SIMD_FN Float4 operator+(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return x + y; });
+// Lanes first, first + 1, … around the end.
+template <int M, int N>
+SIMD_FN Lanes<M> Part(Lanes<N> a, int first) {
+  Lanes<M> r;
+  for (int i = 0; i < M; ++i) r.v[i] = a.v[(first + i) % N];
+  return r;
 }
-SIMD_FN Float4 operator-(Float4 a, Float4 b) {
+template <int N>
+SIMD_FN Lanes<N> operator-(Lanes<N> a, Lanes<N> b) {
   return Map(a, b, [](float x, float y) { return x - y; });
 }
-SIMD_FN Float4 operator*(Float4 a, Float4 b) {
+template <int N>
+SIMD_FN Lanes<N> operator*(Lanes<N> a, Lanes<N> b) {
   return Map(a, b, [](float x, float y) { return x * y; });
 }
-SIMD_FN Float4 operator/(Float4 a, Float4 b) {
+template <int N>
+SIMD_FN Lanes<N> operator+(Lanes<N> a, Lanes<N> b) {
+  return Map(a, b, [](float x, float y) { return x + y; });
+}
+template <int N>
+SIMD_FN Lanes<N> Max(Lanes<N> a, Lanes<N> b) {
+  return Map(a, b, [](float x, float y) { return x > y ? x : y; });
+}
+template <int N>
+SIMD_FN Lanes<N> Abs(Lanes<N> a) {
+  return Map(a, a, [](float x, float) { return kernel::abs(x); });
+}
+template <int N>
+SIMD_FN Lanes<N> operator/(Lanes<N> a, Lanes<N> b) {
   return Map(a, b, [](float x, float y) { return x / y; });
 }
-SIMD_FN Float4 Abs(Float4 a) {
-  return Map(a, a, [](float x, float) { return FloatOf(BitsOf(x) & 0x7fffffffu); });
-}
-SIMD_FN Float4 operator|(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return FloatOf(BitsOf(x) | BitsOf(y)); });
-}
-SIMD_FN Float4 operator&(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return FloatOf(BitsOf(x) & BitsOf(y)); });
-}
-SIMD_FN Float4 AndNot(Float4 no, Float4 a) {
-  return Map(no, a, [](float x, float y) { return FloatOf(~BitsOf(x) & BitsOf(y)); });
-}
-SIMD_FN Float4 operator<(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return AllBits(x < y); });
-}
-SIMD_FN Float4 operator<=(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return AllBits(x <= y); });
-}
-SIMD_FN Float4 operator==(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return AllBits(x == y); });
-}
-SIMD_FN Float4 operator!=(Float4 a, Float4 b) {
-  return Map(a, b, [](float x, float y) { return AllBits(x != y); });
-}
-SIMD_FN std::uint32_t Mask(Float4 a) {
-  std::uint32_t mask = 0;
-  for (int i = 0; i < 4; ++i) mask |= (BitsOf(a.v[i]) >> 31) << i;
-  return mask;
+// a with the opposite sign where `sign` is negative.
+template <int N>
+SIMD_FN Lanes<N> FlipSign(Lanes<N> a, Lanes<N> sign) {
+  return Map(a, sign, [](float x, float y) {
+    return kernel::uintBitsToFloat(kernel::floatBitsToUint(x) ^
+                                   (kernel::floatBitsToUint(y) & 0x80000000u));
+  });
 }
 
-SIMD_FN Float8 Max(Float8 a, Float8 b) {
-  return Map(a, b, [](float x, float y) { return x > y ? x : y; });
+SIMD_FN Float4 Load4(const float* p) { return LoadLanes<4>(p); }
+SIMD_FN void Store4(float* p, Float4 a) { std::memcpy(p, a.v, sizeof a.v); }
+SIMD_FN Float4 Set4(float x) { return Broadcast<4>(x); }
+SIMD_FN Float4 Set4(float x, float y, float z, float w) { return {{x, y, z, w}}; }
+SIMD_FN Float4 Negate(Float4 a) {
+  return Map(a, a, [](float x, float) { return -x; });
+}
+
+SIMD_FN Float16 Load16(const float* p) { return LoadLanes<16>(p); }
+SIMD_FN Float16 Join(Float8 low, Float8 high) {
+  Float16 r;
+  for (int i = 0; i < 8; ++i) {
+    r.v[i] = low.v[i];
+    r.v[8 + i] = high.v[i];
+  }
+  return r;
+}
+SIMD_FN float Lane(Float8 a, std::uint32_t lane) { return a.v[lane]; }
+SIMD_FN Float8 LowHalf(Float16 a) { return Part<8>(a, 0); }
+SIMD_FN Float8 HighHalf(Float16 a) { return Part<8>(a, 8); }
+
+// Whether to swap the halves of what is loaded: where a direction is negative.
+struct HalfOrder {
+  int first;
+};
+template <int Axis>
+SIMD_FN HalfOrder OrderHalves(Float4 direction) {
+  return {int(kernel::floatBitsToUint(direction.v[Axis]) >> 31) * 8};
+}
+SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
+  return Part<16>(LoadLanes<16>(p), order.first);
+}
+// Eight times lane Axis and eight times lane 4 + Axis.
+template <int Axis>
+SIMD_FN Float16 Spread(Float8 a) {
+  return Join(Broadcast<8>(a.v[Axis]), Broadcast<8>(a.v[4 + Axis]));
+}
+// a·b + c; may or may not round between the two.
+SIMD_FN Float16 MulAdd(Float16 a, Float16 b, Float16 c) { return a * b + c; }
+SIMD_FN Float16 Set16(float x) { return Broadcast<16>(x); }
+SIMD_FN Float16 NextQuarters(Float16 a) { return Part<16>(a, 4); }
+SIMD_FN Float4 Quarter0(Float16 a) { return Part<4>(a, 0); }
+SIMD_FN Float4 Quarter1(Float16 a) { return Part<4>(a, 4); }
+SIMD_FN Float4 Quarter2(Float16 a) { return Part<4>(a, 8); }
+SIMD_FN Float4 Quarter3(Float16 a) { return Part<4>(a, 12); }
+SIMD_FN Float8 Quarters12(Float16 a) { return Part<8>(a, 4); }
+
+SIMD_FN Float8 Load8(const float* p) { return LoadLanes<8>(p); }
+SIMD_FN void Store8(float* p, Float8 a) { std::memcpy(p, a.v, sizeof a.v); }
+SIMD_FN Float8 Set8(float x) { return Broadcast<8>(x); }
+SIMD_FN Float8 Join(Float4 low, Float4 high) {
+  Float8 r;
+  for (int i = 0; i < 4; ++i) {
+    r.v[i] = low.v[i];
+    r.v[4 + i] = high.v[i];
+  }
+  return r;
 }
 SIMD_FN Float8 Min(Float8 a, Float8 b) {
   return Map(a, b, [](float x, float y) { return x < y ? x : y; });
 }
-SIMD_FN Float8 MulSub(Float8 a, Float8 b, Float8 c) {
-  Float8 r;
-  for (int i = 0; i < 8; ++i) r.v[i] = a.v[i] * b.v[i] - c.v[i];
-  return r;
+SIMD_FN std::uint32_t MaskLess(Float8 a, Float8 b) {
+  std::uint32_t mask = 0;
+  for (int i = 0; i < 8; ++i) mask |= std::uint32_t(a.v[i] < b.v[i]) << i;
+  return mask;
 }
 SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   std::uint32_t mask = 0;

@@ -11,7 +11,7 @@ namespace snell::bvh {
 
 struct View {
   const WideNode* nodes = nullptr;
-  const TriangleBlock* blocks = nullptr;
+  const PairBlock* blocks = nullptr;
   const std::uint32_t* items = nullptr;      // shapes or instances of leaves
   const Tree* trees = nullptr;               // the first is the world's
   const std::uint32_t* unbounded = nullptr;  // shapes without bounds, which every ray tests

@@ -30,7 +30,10 @@ struct Kernel {
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
-  Hit ClosestHit(const Ray& ray, float tMax, uint mask) { return bvh.Closest(ray, tMax, mask); }
+  Hit ClosestHit(const Ray& ray, float tMax, uint mask) {
+    const bvh::Intersection found = bvh.Closest(ray, tMax, mask);
+    return {found.primitive, found.instance};
+  }
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/scene_filter.h"

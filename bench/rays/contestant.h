@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What takes part in the benchmark: a search structure over a scene that answers rays one at a time.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rays/scenes.h"
+
+namespace snell::bench {
+
+using kernel::Ray;
+
+// A ray asks for hits at 0 < t ≤ tMax.
+struct Query {
+  Ray ray;
+  float tMax;
+};
+
+// The nearest hit, or only whether there is one; t is infinite where nothing is hit.
+struct Answer {
+  float t;
+  std::uint32_t primitive;
+  std::uint32_t instance;  // None in the world's mesh
+};
+
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+  virtual std::string Name() const = 0;
+  // Build over the scene, which must outlive this; called once.
+  virtual void Build(const Scene& scene) = 0;
+  // What the structure takes beyond the scene's own arrays.
+  virtual std::uint64_t MemoryBytes() const = 0;
+  // Answer the rays one after another, on the calling thread. `answers` has a place for each; Any writes
+  // only t, as 0 or infinite.
+  virtual void Closest(std::span<const Query> queries, Answer* answers) const = 0;
+  virtual void Any(std::span<const Query> queries, Answer* answers) const = 0;
+};
+
+enum class Quality { Medium, High };
+
+std::unique_ptr<Contestant> MakeSnell(Quality quality);
+// By Snell's functions that take many rays at once.
+std::unique_ptr<Contestant> MakeSnellBatches(Quality quality);
+// Embree's default build or its high-quality one; robust: its scene flag for watertight tests.
+std::unique_ptr<Contestant> MakeEmbree(Quality quality, bool robust = false);
+// By packets of sixteen rays.
+std::unique_ptr<Contestant> MakeEmbreePackets(Quality quality);
+
+}  // namespace snell::bench

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bvh/references.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+
+namespace snell::bvh {
+
+namespace {
+
+// Triangles are paired within chunks, each with one of the next few.
+constexpr std::uint32_t ChunkSize = 8192;
+constexpr std::uint32_t SearchLength = 8;
+
+struct Chunk {
+  std::uint32_t references = 0;
+  std::uint64_t dropped = 0;
+};
+
+Box BoxOf(const Geometry& geometry, const kernel::Triangle& triangle) {
+  Box box;
+  for (const std::uint32_t v : {triangle.v0, triangle.v1, triangle.v2}) {
+    const vec3& p = geometry.positions[v];
+    box.Extend(Vec4{p.x, p.y, p.z, 0});
+  }
+  return box;
+}
+
+bool IsFinite(const Geometry& geometry, const kernel::Triangle& triangle) {
+  // Not so large either that a box's extent overflows
+  float sum = 0;
+  for (const std::uint32_t v : {triangle.v0, triangle.v1, triangle.v2}) {
+    const vec3& p = geometry.positions[v];
+    sum += kernel::abs(p.x) + kernel::abs(p.y) + kernel::abs(p.z);
+  }
+  return sum < std::numeric_limits<float>::max();
+}
+
+Chunk PairChunk(const Geometry& geometry, std::uint32_t first, std::uint32_t last,
+                PrimitiveRef* out) {
+  Chunk chunk;
+  std::array<bool, ChunkSize + SearchLength> taken{};
+  for (std::uint32_t i = first; i < last; ++i) {
+    if (taken[i - first]) continue;
+    const kernel::Triangle& triangle = geometry.triangles[i];
+    if (!IsFinite(geometry, triangle)) {
+      ++chunk.dropped;
+      continue;
+    }
+    const Box own = BoxOf(geometry, triangle);
+    const float ownArea = own.HalfArea();
+    std::uint32_t partner = MaxTriangles;
+    Box box = own;
+    for (std::uint32_t j = i + 1; j < std::min(i + SearchLength, last); ++j) {
+      if (taken[j - first]) continue;
+      const kernel::Triangle& other = geometry.triangles[j];
+      if (FindSharedEdge(triangle, other).a == 3 || !IsFinite(geometry, other)) continue;
+      const Box its = BoxOf(geometry, other);
+      Box both = own;
+      both.Extend(its);
+      if (both.HalfArea() > ownArea + its.HalfArea()) continue;
+      partner = j;
+      box = both;
+      taken[j - first] = true;
+      break;
+    }
+    out[chunk.references++] = PrimitiveRef(box, LeafKind::Triangles, i, partner);
+  }
+  return chunk;
+}
+
+}  // namespace
+
+HugeVector<PrimitiveRef> PairTriangles(const Geometry& geometry, std::uint32_t first,
+                                       std::uint32_t count, std::uint64_t& dropped) {
+  const std::uint32_t chunkCount = (count + ChunkSize - 1) / ChunkSize;
+  std::vector<Chunk> chunks(chunkCount);
+  HugeVector<PrimitiveRef> paired(count);
+  tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+    const std::uint32_t from = first + c * ChunkSize;
+    const std::uint32_t to = std::min(from + ChunkSize, first + count);
+    chunks[c] = PairChunk(geometry, from, to, paired.data() + c * ChunkSize);
+  });
+
+  // Close the gaps between the chunks
+  std::vector<std::uint32_t> starts(chunkCount + 1, 0);
+  for (std::uint32_t c = 0; c < chunkCount; ++c) {
+    starts[c + 1] = starts[c] + chunks[c].references;
+    dropped += chunks[c].dropped;
+  }
+  HugeVector<PrimitiveRef> references(starts[chunkCount]);
+  tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+    std::copy_n(paired.data() + c * ChunkSize, chunks[c].references, references.data() + starts[c]);
+  });
+  return references;
+}
+
+}  // namespace snell::bvh
