@@ -25,33 +25,31 @@ class Snell : public Contestant {
     const std::uint32_t count = std::uint32_t(scene.triangles.size());
     for (const kernel::Transform& placement : scene.placements)
       instances_.push_back({0, 0, 0, count, placement});
-    bvh_ = std::make_unique<bvh::Bvh>(bvh::Geometry{scene.positions,
-                                                    scene.triangles,
-                                                    meshes_,
-                                                    {},
-                                                    instances_,
-                                                    objects_,
-                                                    scene.placements.empty() ? count : 0});
+    bvh::Geometry geometry;
+    geometry.positions = scene.positions;
+    geometry.triangles = scene.triangles;
+    geometry.instances = instances_;
+    geometry.worldTriangles = scene.placements.empty() ? count : 0;
+    bvh_ = std::make_unique<bvh::Bvh>(
+        geometry, quality_ == Quality::High ? bvh::BuildQuality::High : bvh::BuildQuality::Fast);
   }
 
   std::uint64_t MemoryBytes() const override { return bvh_->MemoryBytes(); }
 
   void Closest(std::span<const Query> queries, Answer* answers) const override {
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      const bvh::Intersection hit = bvh_->Closest(queries[i].ray, queries[i].tMax, ~0u);
+      const bvh::Intersection hit = bvh_->Closest(queries[i].ray, queries[i].tMax);
       answers[i] = {hit.primitive == kernel::None ? Inf : hit.t, hit.primitive, hit.instance};
     }
   }
 
   void Any(std::span<const Query> queries, Answer* answers) const override {
     for (std::size_t i = 0; i < queries.size(); ++i)
-      answers[i].t = bvh_->Any(queries[i].ray, queries[i].tMax, ~0u) ? 0 : Inf;
+      answers[i].t = bvh_->Any(queries[i].ray, queries[i].tMax) ? 0 : Inf;
   }
 
  private:
   Quality quality_;
-  std::vector<kernel::Mesh> meshes_ = {{0, kernel::None, kernel::None}};
-  std::vector<kernel::Object> objects_ = {{0, ~0u, kernel::None, {}}};
   std::vector<kernel::Instance> instances_;
   std::unique_ptr<bvh::Bvh> bvh_;
 };

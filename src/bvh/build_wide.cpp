@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bvh/blocks.h"
 #include "util/check.h"
 #include "util/error.h"
 
@@ -16,8 +16,6 @@ namespace snell::bvh {
 
 namespace {
 
-constexpr float Inf = std::numeric_limits<float>::infinity();
-constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 // Subtrees over more references are collapsed by tasks of their own.
 constexpr std::uint32_t TaskSize = 4096;
 
@@ -179,11 +177,7 @@ class Collapser {
     WideNode& wide = arrays_.nodes[ref];
     for (int i = 0; i < Width; ++i) {
       const bool missing = i >= children.count;
-      const Box box = missing ? Box() : tree_[children.index[order[i]]].box;
-      for (int axis = 0; axis < 3; ++axis) {
-        wide.planes[axis][i] = box.lower[axis];
-        wide.planes[axis][Width + i] = -box.upper[axis];
-      }
+      SetChildBox(wide, i, missing ? Box() : tree_[children.index[order[i]]].box);
       wide.child[i] = missing ? NoChild : refs[order[i]];
     }
     std::ranges::fill(wide.unused, 0u);
@@ -193,58 +187,13 @@ class Collapser {
   // Returns the pairs' area.
   float PackBlock(std::uint32_t place, std::uint32_t first, std::uint32_t count) {
     PairBlock& block = arrays_.blocks[place];
-    std::ranges::fill(block.unused, 0u);
+    ClearBlock(block);
     float area = 0;
-    for (std::uint32_t lane = 0; lane < BlockWidth; ++lane) {
-      if (lane >= count) {
-        SetCorners(block, lane, {vec3(NaN), vec3(NaN), vec3(NaN), vec3(NaN)});
-        block.id[lane] = block.id[BlockWidth + lane] = None;
-        continue;
-      }
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
       const PrimitiveRef& ref = references_[first + lane];
-      const std::uint32_t i = ref.First(), j = ref.Second();
-      const kernel::Triangle& s = geometry_.triangles[i];
-      const std::uint32_t v[5] = {s.v0, s.v1, s.v2, s.v0, s.v1};
-      if (j == MaxTriangles) {
-        const vec3 last = geometry_.positions[v[2]];
-        area += SetCorners(block, lane,
-                           {geometry_.positions[v[0]], geometry_.positions[v[1]], last, last});
-        block.id[lane] = i;
-        block.id[BlockWidth + lane] = None;
-        continue;
-      }
-      const kernel::Triangle& t = geometry_.triangles[j];
-      const std::uint32_t w[5] = {t.v0, t.v1, t.v2, t.v0, t.v1};
-      // The shared edge runs from p2 to p0 in the first triangle
-      const SharedEdge edge = FindSharedEdge(s, t);
-      area += SetCorners(block, lane,
-                         {geometry_.positions[v[edge.a + 1]], geometry_.positions[v[edge.a + 2]],
-                          geometry_.positions[v[edge.a]], geometry_.positions[w[edge.b + 2]]});
-      block.id[lane] = i | (2 - edge.a) << 30;
-      block.id[BlockWidth + lane] = j | (3 - edge.b) % 3 << 30;
+      area += PackPair(block, lane, ref.First(), ref.Second(), geometry_);
     }
     return area;
-  }
-
-  struct Corners {
-    vec3 p[4];
-  };
-  static float SetCorners(PairBlock& block, std::uint32_t lane, const Corners& corners) {
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      for (int axis = 0; axis < 3; ++axis)
-        block.corner[axis][k * BlockWidth + lane] = corners.p[k][axis];
-    }
-    // The second triangle's edges as the sums of its own order would be, and the first one's
-    const auto extent = [&](int i, int j) {
-      const vec3 edge = kernel::Abs(corners.p[j] - corners.p[i]);
-      return edge.x + edge.y + edge.z;
-    };
-    const float a = extent(0, 1), b = extent(1, 2), c = extent(2, 0), d = extent(2, 3),
-                e = extent(3, 0);
-    block.size[lane] = (std::max({a + b, b + c, c + a, d + e, c + d, c + e})) * (1 + 1e-5f);
-    const vec3 diagonal = corners.p[2] - corners.p[0];
-    return 0.5f * (kernel::Length(kernel::Cross(corners.p[1] - corners.p[0], diagonal)) +
-                   kernel::Length(kernel::Cross(corners.p[3] - corners.p[0], diagonal)));
   }
 
   const BinaryTree& tree_;
@@ -261,10 +210,7 @@ ChildRef AppendWideTree(const BinaryTree& tree, const HugeVector<PrimitiveRef>& 
   if (arrays.blocks.empty()) {
     // The block that missing children lead to
     arrays.blocks.resize(1);
-    std::ranges::fill(arrays.blocks[0].id, None);
-    std::ranges::fill(arrays.blocks[0].size, 0.0f);
-    std::ranges::fill(arrays.blocks[0].unused, 0u);
-    for (auto& row : arrays.blocks[0].corner) std::ranges::fill(row, NaN);
+    ClearBlock(arrays.blocks[0]);
   }
   return Collapser(tree, references, geometry, arrays).Collapse();
 }

@@ -5,18 +5,17 @@
 #include <utility>
 
 #include "bvh/bounds.h"
+#include "bvh/refit.h"
 
 namespace snell::bvh {
 
-static Box BoxOf(const Bounds& bounds) {
-  Box box;
-  box.lower = Vec4{bounds.lower.x, bounds.lower.y, bounds.lower.z, 0};
-  box.upper = Vec4{bounds.upper.x, bounds.upper.y, bounds.upper.z, 0};
-  return box;
+static void SetReach(Tree& tree, const Bounds& bounds) {
+  for (int axis = 0; axis < 3; ++axis)
+    tree.reach[axis] = std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
 }
 
-Bvh::Bvh(const Geometry& geometry)
-    : geometry_(geometry), traversal_(&TraversalFor(BestInstructionSet())) {
+Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
+    : geometry_(geometry), quality_(quality), traversal_(&TraversalFor(BestInstructionSet())) {
   trees_.emplace_back();
 
   // Build one tree per mesh that instances place
@@ -60,40 +59,66 @@ Bvh::Bvh(const Geometry& geometry)
   }
   trees_[0] = BuildTree(references, treeBounds[0]);
   FindTriangleMasks();
+  arrays_.nodes.shrink_to_fit();
+  arrays_.blocks.shrink_to_fit();
 
-  view_ = {arrays_.nodes.data(),   arrays_.blocks.data(),     arrays_.items.data(),
-           trees_.data(),          unbounded_.data(),         std::uint32_t(unbounded_.size()),
-           view_.treeMask,         geometry.triangles.data(), geometry.meshes.data(),
-           geometry.shapes.data(), geometry.instances.data(), geometry.objects.data()};
+  view_ = {arrays_.nodes.data(),
+           arrays_.blocks.data(),
+           arrays_.items.data(),
+           trees_.data(),
+           unbounded_.data(),
+           std::uint32_t(unbounded_.size()),
+           view_.treeMask,
+           geometry.triangles.data(),
+           geometry.meshes.data(),
+           geometry.shapes.data(),
+           geometry.instances.data(),
+           geometry.objects.data(),
+           HitFilter{}};
 }
 
 Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {
   Tree tree;
   if (references.empty()) return tree;
   const BinaryTree binary = BuildBinaryTree(references);
-  const Box& box = binary[0].box;
-  bounds = {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
-  for (int axis = 0; axis < 3; ++axis)
-    tree.reach[axis] = std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
+  bounds = BoundsOf(binary[0].box);
+  SetReach(tree, bounds);
   tree.root = AppendWideTree(binary, references, geometry_, arrays_);
   return tree;
 }
 
-std::uint32_t Bvh::MaskOf(std::uint32_t object) const { return geometry_.objects[object].mask; }
+std::uint32_t Bvh::MaskOf(std::uint32_t object) const {
+  return geometry_.objects.empty() ? ~0u : geometry_.objects[object].mask;
+}
 
 void Bvh::FindTriangleMasks() {
-  // Triangles of a mesh follow each other
   Tree& world = trees_[0];
   world.commonMask = ~0u;
-  std::uint32_t mesh = None;
-  for (std::uint32_t i = 0; i < geometry_.worldTriangles; ++i) {
-    if (geometry_.triangles[i].mesh == mesh) continue;
-    mesh = geometry_.triangles[i].mesh;
-    const std::uint32_t mask = MaskOf(geometry_.meshes[mesh].object);
-    world.commonMask &= mask;
-    world.anyMask |= mask;
+  if (geometry_.meshes.empty()) {
+    world.anyMask = ~0u;
+  } else {
+    // Triangles of a mesh follow each other
+    std::uint32_t mesh = None;
+    for (std::uint32_t i = 0; i < geometry_.worldTriangles; ++i) {
+      if (geometry_.triangles[i].mesh == mesh) continue;
+      mesh = geometry_.triangles[i].mesh;
+      const std::uint32_t mask = MaskOf(geometry_.meshes[mesh].object);
+      world.commonMask &= mask;
+      world.anyMask |= mask;
+    }
   }
   view_.treeMask |= world.anyMask;
+}
+
+void Bvh::Refit() {
+  std::vector<Bounds> bounds(trees_.size());
+  for (std::size_t i = 1; i <= trees_.size(); ++i) {
+    // The world comes last, since it holds the others' bounds
+    const std::size_t tree = i % trees_.size();
+    if (trees_[tree].root == None) continue;
+    bounds[tree] = RefitTree(trees_[tree].root, geometry_, bounds, arrays_);
+    SetReach(trees_[tree], bounds[tree]);
+  }
 }
 
 std::uint64_t Bvh::MemoryBytes() const {

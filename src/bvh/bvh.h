@@ -3,6 +3,8 @@
 // The bounding volume hierarchy over triangles, analytic shapes and instances of meshes, and its two
 // queries. All instruction sets and numbers of threads give the same hits: of hits at the same t, the one
 // with the smaller instance and then the smaller primitive wins.
+//
+// The room is a library of its own; examples/rays shows it at work without the rest.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +18,38 @@
 
 namespace snell::bvh {
 
+enum class BuildQuality {
+  Fast,  // binned surface area heuristic
+  High,  // then subtrees put where they cost rays less: a few times the building time
+};
+
 class Bvh {
  public:
   // Builds over `geometry`, whose arrays must outlive the BVH and stay where they are. Instances of the
   // same range of triangles share one tree. Throws Error if there is more geometry than the node format can
   // address.
-  explicit Bvh(const Geometry& geometry);
+  explicit Bvh(const Geometry& geometry, BuildQuality quality = BuildQuality::Fast);
   Bvh(const Bvh&) = delete;
   Bvh& operator=(const Bvh&) = delete;
 
   // The nearest hit at 0 < t ≤ tMax (in units of d's length) on an object whose mask shares a bit with
-  // `mask`.
-  Intersection Closest(const kernel::Ray& ray, float tMax, std::uint32_t mask) const {
+  // `mask`. Any number of threads may ask at once.
+  Intersection Closest(const kernel::Ray& ray, float tMax, std::uint32_t mask = ~0u) const {
     return traversal_->closest(view_, ray, tMax, mask);
   }
   // Whether there is any such hit.
-  bool Any(const kernel::Ray& ray, float tMax, std::uint32_t mask) const {
+  bool Any(const kernel::Ray& ray, float tMax, std::uint32_t mask = ~0u) const {
     return traversal_->any(view_, ray, tMax, mask);
   }
+
+  // Ask `filter` about every hit before it counts, for instance whether an alpha texture has a hole there.
+  void SetFilter(const HitFilter& filter) { view_.filter = filter; }
+
+  // Follow geometry that has moved: positions, instances' transforms and shapes may have changed, their
+  // numbers and what the triangles connect may not. Much faster than a new BVH, and rays are slower the more
+  // the neighbours have parted. A triangle that is no longer finite is not hit until it is again; one that
+  // was not finite when the BVH was built stays out.
+  void Refit();
 
   // Use another instruction set than the best one; it must be Supported.
   void Use(InstructionSet set) { traversal_ = &TraversalFor(set); }
@@ -55,6 +71,7 @@ class Bvh {
   void FindTriangleMasks();
 
   Geometry geometry_;
+  BuildQuality quality_;
   WideArrays arrays_;
   std::vector<Tree> trees_;
   std::vector<std::uint32_t> unbounded_;

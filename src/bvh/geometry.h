@@ -9,6 +9,8 @@
 
 namespace snell::bvh {
 
+// Plain triangles need positions, triangles and worldTriangles only: without meshes all triangles, and without
+// objects all shapes and instances too, are seen by every ray.
 struct Geometry {
   std::span<const kernel::vec3> positions;
   std::span<const kernel::Triangle> triangles;

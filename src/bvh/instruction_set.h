@@ -14,14 +14,6 @@ namespace snell::bvh {
 
 enum class InstructionSet { Portable, Sse42, Avx2, Avx512 };
 
-// The nearest hit. `primitive` is None, and t the limit that was given, if there is none; else kernel::Hit
-// says what the ids mean.
-struct Intersection {
-  float t;
-  std::uint32_t primitive;
-  std::uint32_t instance;
-};
-
 // The two queries of Bvh for one instruction set.
 struct Traversal {
   Intersection (*closest)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask);

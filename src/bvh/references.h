@@ -40,6 +40,16 @@ struct Box {
   }
 };
 
+inline Box BoxOf(const Bounds& bounds) {
+  Box box;
+  box.lower = Vec4{bounds.lower.x, bounds.lower.y, bounds.lower.z, 0};
+  box.upper = Vec4{bounds.upper.x, bounds.upper.y, bounds.upper.z, 0};
+  return box;
+}
+inline Bounds BoundsOf(const Box& box) {
+  return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
+}
+
 // One thing to be placed in the tree: a triangle, alone or with a neighbour, a shape or an instance.
 struct PrimitiveRef {
   Box box;

@@ -26,6 +26,7 @@ inline constexpr int StackSize = 80 * (Width - 1) + 1;
 
 // The best hit so far. Order among equal t: smaller instance, then smaller primitive.
 struct Best {
+  const Ray& world;
   float t;
   std::uint32_t instance;
   std::uint32_t primitive;
@@ -36,6 +37,11 @@ struct Best {
     if (candidate < t) return true;
     return candidateInstance < instance ||
            (candidateInstance == instance && candidatePrimitive < primitive);
+  }
+  void Take(float nearer, std::uint32_t itsInstance, std::uint32_t itsPrimitive) {
+    t = nearer;
+    instance = itsInstance;
+    primitive = itsPrimitive;
   }
 };
 
@@ -217,21 +223,30 @@ SIMD_FN float CandidateT(const PairBlock& block, std::uint32_t lane, std::uint32
   return Confirm(block, lane, TurnOf(block.id[lane]), ray) ? t : -1.0f;
 }
 
-// The objects' mask of a world triangle, where the tree has no common bit.
-SIMD_FN std::uint32_t TriangleMask(const View& view, std::uint32_t triangle) {
-  return view.objects[view.meshes[view.triangles[triangle].mesh].object].mask;
+// Whether a ray of this mask sees an object.
+SIMD_FN bool Sees(const View& view, std::uint32_t object, std::uint32_t mask) {
+  return view.objects == nullptr || (view.objects[object].mask & mask) != 0;
+}
+
+// What is to be asked about a hit on a triangle before it counts, where not all hits count.
+SIMD_CALL bool Counts(const View& view, const Intersection& hit, std::uint32_t mask,
+                      const Ray& world) {
+  if (hit.instance == None && view.meshes != nullptr &&
+      !Sees(view, view.meshes[view.triangles[hit.primitive].mesh].object, mask))
+    return false;
+  return view.filter.accepts == nullptr || view.filter.accepts(view.filter.data, world, hit);
 }
 
 // Test a block. Returns true if `AnyHit` and something was hit.
 template <bool AnyHit>
 SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
-                                const BlockRay& prepared, std::uint32_t instance, bool checkMask,
+                                const BlockRay& prepared, std::uint32_t instance, bool choosy,
                                 std::uint32_t mask, Best& best) {
   const PairBlock& block = view.blocks[FirstOf(leaf)];
   BlockTest test;
   IntersectBlock(block, prepared, best.t, test);
   if (test.candidates == 0) return false;
-  if (AnyHit && !checkMask && test.certain != 0) return true;
+  if (AnyHit && !choosy && test.certain != 0) return true;
   std::uint32_t lanes = test.candidates;
   while (lanes != 0) {
     const std::uint32_t lane = std::uint32_t(__builtin_ctz(lanes));
@@ -240,8 +255,8 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
     const float t = CandidateT(block, lane, TurnOf(id), test, ray, best.t);
     const std::uint32_t triangle = TriangleOf(id);
     if (!best.Accepts(t, instance, triangle)) continue;
-    if (checkMask && (TriangleMask(view, triangle) & mask) == 0) continue;
-    best = {t, instance, triangle};
+    if (choosy && !Counts(view, {t, triangle, instance}, mask, best.world)) continue;
+    best.Take(t, instance, triangle);
     if (AnyHit) return true;
   }
   return false;
@@ -253,10 +268,13 @@ SIMD_CALL bool IntersectShapes(const View& view, const std::uint32_t* items, std
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t index = items[i];
     const kernel::Shape& shape = view.shapes[index];
-    if ((view.objects[shape.object].mask & mask) == 0) continue;
+    if (!Sees(view, shape.object, mask)) continue;
     const float t = kernel::IntersectShape(shape, ray.o, ray.d);
     if (!best.Accepts(t, kernel::INSTANCE_SHAPE, index)) continue;
-    best = {t, kernel::INSTANCE_SHAPE, index};
+    if (view.filter.accepts != nullptr &&
+        !view.filter.accepts(view.filter.data, ray, {t, index, kernel::INSTANCE_SHAPE}))
+      continue;
+    best.Take(t, kernel::INSTANCE_SHAPE, index);
     if (AnyHit) return true;
   }
   return false;
@@ -317,7 +335,7 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, std::u
                       std::uint32_t mask, Best& best) {
   if (tree.root == None) return false;
   const bool seesTriangles = !World || (tree.anyMask & mask) != 0;
-  const bool checkMask = World && (tree.commonMask & mask) == 0;
+  const bool choosy = (World && (tree.commonMask & mask) == 0) || view.filter.accepts != nullptr;
   const NodeRay nodeRay = PrepareForNodes(ray, tree);
   const BlockRay blockRay = PrepareForBlocks(ray, tree);
   Float16 limits = Join(Set8(0.0f), Set8(-best.t));
@@ -340,8 +358,8 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, std::u
 
     if (IsLeaf(current)) {
       if (!World || KindOf(current) == LeafKind::Triangles) {
-        if (seesTriangles && IntersectTriangles<AnyHit>(view, current, ray, blockRay, instance,
-                                                        checkMask, mask, best))
+        if (seesTriangles &&
+            IntersectTriangles<AnyHit>(view, current, ray, blockRay, instance, choosy, mask, best))
           return true;
       } else if (KindOf(current) == LeafKind::Shapes) {
         if (IntersectShapes<AnyHit>(view, view.items + FirstOf(current), CountOf(current), ray,
@@ -368,7 +386,7 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
   for (std::uint32_t i = 0; i < CountOf(leaf); ++i) {
     const std::uint32_t index = view.items[FirstOf(leaf) + i];
     const kernel::Instance& placed = view.instances[index];
-    if ((view.objects[placed.object].mask & mask) == 0) continue;
+    if (!Sees(view, placed.object, mask)) continue;
     const Ray local = kernel::ToLocalRay(placed.toWorld, ray.o, ray.d);
     if (Traverse<AnyHit, false>(view, view.trees[placed.root], local, index, mask, best))
       return true;
@@ -377,7 +395,7 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
 }
 
 static Intersection Closest(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
-  Best best{tMax, None, None};
+  Best best{ray, tMax, None, None};
   if (view.unboundedCount > 0)
     IntersectShapes<false>(view, view.unbounded, view.unboundedCount, ray, mask, best);
   if ((view.treeMask & mask) != 0)
@@ -386,7 +404,7 @@ static Intersection Closest(const View& view, const Ray& ray, float tMax, std::u
 }
 
 static bool Any(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
-  Best best{tMax, None, None};
+  Best best{ray, tMax, None, None};
   if (view.unboundedCount > 0 &&
       IntersectShapes<true>(view, view.unbounded, view.unboundedCount, ray, mask, best))
     return true;

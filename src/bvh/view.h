@@ -9,6 +9,21 @@
 
 namespace snell::bvh {
 
+// The nearest hit. `primitive` is None, and t the limit that was given, if there is none; else kernel::Hit
+// says what the ids mean.
+struct Intersection {
+  float t;
+  std::uint32_t primitive;
+  std::uint32_t instance;
+};
+
+// Asked about each hit that a ray would otherwise take; false: the ray goes on as if nothing were there. Called
+// from the threads that trace, seldom twice for a hit. `ray` is in world space.
+struct HitFilter {
+  bool (*accepts)(const void* data, const kernel::Ray& ray, const Intersection& hit) = nullptr;
+  const void* data = nullptr;
+};
+
 struct View {
   const WideNode* nodes = nullptr;
   const PairBlock* blocks = nullptr;
@@ -23,7 +38,8 @@ struct View {
   const kernel::Mesh* meshes = nullptr;
   const kernel::Shape* shapes = nullptr;
   const kernel::Instance* instances = nullptr;
-  const kernel::Object* objects = nullptr;
+  const kernel::Object* objects = nullptr;  // none: everything is seen by every ray
+  HitFilter filter;
 };
 
 }  // namespace snell::bvh

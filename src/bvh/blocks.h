@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Filling the elements of the layout (node.h).
+#pragma once
+
+#include "bvh/node.h"
+#include "bvh/references.h"
+
+namespace snell::bvh {
+
+// Four missing pairs.
+void ClearBlock(PairBlock& block);
+
+// Put a triangle and, unless it is MaxTriangles, its neighbour into a lane. Returns their area.
+float PackPair(PairBlock& block, std::uint32_t lane, std::uint32_t first, std::uint32_t second,
+               const Geometry& geometry);
+
+inline void SetChildBox(WideNode& node, int child, const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    node.planes[axis][child] = box.lower[axis];
+    node.planes[axis][Width + child] = -box.upper[axis];
+  }
+}
+
+}  // namespace snell::bvh
