@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What takes part in the benchmark: a search structure over a scene that answers rays one at a time.
+// What takes part in the benchmark: a search structure over a scene that answers rays.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "bvh/view.h"
 #include "rays/scenes.h"
 
 namespace snell::bench {
 
-using kernel::Ray;
-
-// A ray asks for hits at 0 < t ≤ tMax.
-struct Query {
-  Ray ray;
-  float tMax;
-};
+using bvh::Query;
 
 // The nearest hit, or only whether there is one; t is infinite where nothing is hit.
 struct Answer {
@@ -35,7 +31,7 @@ class Contestant {
   virtual void Build(const Scene& scene) = 0;
   // What the structure takes beyond the scene's own arrays.
   virtual std::uint64_t MemoryBytes() const = 0;
-  // Answer the rays one after another, on the calling thread. `answers` has a place for each; Any writes
+  // Answer the rays on the calling thread. `answers` has a place for each; Any writes
   // only t, as 0 or infinite.
   virtual void Closest(std::span<const Query> queries, Answer* answers) const = 0;
   virtual void Any(std::span<const Query> queries, Answer* answers) const = 0;
@@ -43,12 +39,16 @@ class Contestant {
 
 enum class Quality { Medium, High };
 
+// Medium is Snell's fast build.
 std::unique_ptr<Contestant> MakeSnell(Quality quality);
-// By Snell's functions that take many rays at once.
-std::unique_ptr<Contestant> MakeSnellBatches(Quality quality);
+// The fast build, asked for many rays at once; all others but the packets answer ray by ray.
+std::unique_ptr<Contestant> MakeSnellBatches();
 // Embree's default build or its high-quality one; robust: its scene flag for watertight tests.
 std::unique_ptr<Contestant> MakeEmbree(Quality quality, bool robust = false);
 // By packets of sixteen rays.
 std::unique_ptr<Contestant> MakeEmbreePackets(Quality quality);
+
+// "3.13.5, native packets of 16": the version that runs, and the widest packets that it has instructions for.
+std::string EmbreeVersion();
 
 }  // namespace snell::bench

@@ -2,7 +2,9 @@
 //
 // Embree 3 as a contestant: ray by ray, and by packets of sixteen.
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <utility>
@@ -205,6 +207,20 @@ std::unique_ptr<Contestant> MakeEmbree(Quality quality, bool robust) {
 
 std::unique_ptr<Contestant> MakeEmbreePackets(Quality quality) {
   return std::make_unique<EmbreePackets>(quality);
+}
+
+std::string EmbreeVersion() {
+  const RTCDevice device = rtcNewDevice("");
+  const auto property = [&](RTCDeviceProperty name) { return rtcGetDeviceProperty(device, name); };
+  const int packets = property(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)  ? 16
+                      : property(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8
+                                                                            : 4;
+  std::string text =
+      fmt::format("{}.{}.{}, native packets of {}", property(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                  property(RTC_DEVICE_PROPERTY_VERSION_MINOR),
+                  property(RTC_DEVICE_PROPERTY_VERSION_PATCH), packets);
+  rtcReleaseDevice(device);
+  return text;
 }
 
 }  // namespace snell::bench

@@ -294,6 +294,9 @@ Scene Instances(std::uint64_t triangles) {
   return scene;
 }
 
+// Embree reads sixteen bytes at every position, also at the last.
+void PadPositions(Scene& scene) { scene.positions.reserve(scene.positions.size() + 1); }
+
 struct Entry {
   std::string_view name;
   std::uint64_t triangles;
@@ -321,6 +324,7 @@ Scene MakeScene(std::string_view name, std::uint64_t triangles) {
     if (entry.name != name) continue;
     Scene scene = entry.make(triangles == 0 ? entry.triangles : triangles);
     scene.name = name;
+    PadPositions(scene);
     return scene;
   }
   throw Error(
@@ -333,6 +337,7 @@ Scene ReadScene(const std::string& path) {
   scene.name = path.substr(path.find_last_of('/') + 1);
   scene.positions.assign(mesh.positions.begin(), mesh.positions.end());
   for (const auto& t : mesh.triangles) scene.triangles.push_back({t.x, t.y, t.z, 0});
+  PadPositions(scene);
 
   // Look at the middle from the front, a little above
   vec3 lower(kernel::Infinite), upper(-kernel::Infinite);

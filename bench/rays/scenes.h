@@ -3,6 +3,7 @@
 // The benchmark's scenes, made by formulas: five kinds of geometry on which ray tracers behave differently.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>

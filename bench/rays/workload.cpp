@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rays/workload.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/transform.h"
 #include "support/random.h"
-#include "util/check.h"
+#include "util/error.h"
 
 namespace snell::bench {
 
@@ -64,16 +66,17 @@ std::vector<Query> PrimaryRays(const Scene& scene, std::size_t count, Random& ra
   return queries;
 }
 
-// Where the rays hit, in their order.
+// Where the rays hit, in their order. Triangles so small that their normal vanishes are left out.
 std::vector<Start> Starts(const Scene& scene, const Contestant& tracer,
                           const std::vector<Query>& queries) {
   std::vector<Answer> answers(queries.size());
   tracer.Closest(queries, answers.data());
   std::vector<Start> starts;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (std::isfinite(answers[i].t)) starts.push_back(StartOf(scene, queries[i], answers[i]));
+    if (!std::isfinite(answers[i].t)) continue;
+    const Start start = StartOf(scene, queries[i], answers[i]);
+    if (std::isfinite(start.n.x + start.n.y + start.n.z)) starts.push_back(start);
   }
-  CHECK(!starts.empty());
   return starts;
 }
 
@@ -89,11 +92,18 @@ std::vector<Query> RaysFrom(const std::vector<Start>& starts, std::size_t count,
 
 }  // namespace
 
+const std::vector<std::string_view>& WorkloadNames() {
+  static const std::vector<std::string_view> names = {"primary", "shadow", "AO", "diffuse",
+                                                      "second"};
+  return names;
+}
+
 std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer,
                                     std::size_t count) {
   Random random(310);
   const std::vector<Query> primary = PrimaryRays(scene, count, random);
   const std::vector<Start> seen = Starts(scene, tracer, primary);
+  if (seen.empty()) throw Error(fmt::format("the camera sees nothing of {}", scene.name));
 
   const auto bounce = [&](const Start& start) {
     return Query{{start.p, CosineDirection(start.n, random)}, kernel::Infinite};
@@ -112,11 +122,12 @@ std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer
 
   const std::vector<Query> diffuse = RaysFrom(seen, count, bounce);
   const std::vector<Start> second = Starts(scene, tracer, diffuse);
-  return {{"primary", primary},
-          {"shadow", RaysFrom(seen, count, toLight)},
-          {"AO", RaysFrom(seen, count, shortBounce)},
-          {"diffuse", diffuse},
-          {"second", RaysFrom(second, count, bounce)}};
+  std::vector<Workload> workloads = {{"primary", primary},
+                                     {"shadow", RaysFrom(seen, count, toLight)},
+                                     {"AO", RaysFrom(seen, count, shortBounce)},
+                                     {"diffuse", diffuse}};
+  if (!second.empty()) workloads.push_back({"second", RaysFrom(second, count, bounce)});
+  return workloads;
 }
 
 }  // namespace snell::bench

@@ -12,9 +12,13 @@ struct Workload {
   std::vector<Query> queries;
 };
 
-// `count` rays of each kind: primary, shadow (to the point light), AO (short, at most a twentieth of what is
-// seen), diffuse bounce, and second bounce, in the order in which a renderer's tiles reach them. `tracer`
-// finds the hits that later rays start from; every contestant gets the same rays.
+// The kinds of rays: primary, shadow (to the point light), AO (short, at most a twentieth of what is seen),
+// diffuse bounce, and second bounce.
+const std::vector<std::string_view>& WorkloadNames();
+
+// `count` rays of each kind, in the order in which a renderer's tiles reach them. `tracer` finds the hits
+// that later rays start from; every contestant gets the same rays. There are no second bounces where no
+// diffuse ray hits anything. Throws Error if the camera sees nothing.
 std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer,
                                     std::size_t count);
 

@@ -4,6 +4,7 @@
 // ids, whatever the instruction set, the mask and the range of t.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <sstream>
 
 #include "bvh/bvh.h"
@@ -47,7 +48,7 @@ TEST_P(Agreement, WithBruteForce) {
     Soup soup;
     GetParam().fill(soup, random, round % 4 == 0 ? 9 : 200);
     if (soup.PrimitiveCount() == 0) continue;
-    Bvh bvh(soup.Geometry());
+    Bvh bvh(soup.Geometry(), round % 2 == 0 ? BuildQuality::Fast : BuildQuality::High);
     test::search::BruteForce brute = soup.BruteForce();
     for (int i = 0; i < 1500; ++i) {
       const Ray ray = test::RandomRay(random, soup);
@@ -78,6 +79,58 @@ TEST_P(Agreement, WithBruteForce) {
   const std::uint64_t allowed = GetParam().name == "Slivers" ? 1 + rays / 100000 : 0;
   EXPECT_LE(wrong, allowed * SupportedInstructionSets().size()) << "of " << rays << "\n" << first;
   EXPECT_GT(hits, rays / 50);
+}
+
+TEST_P(Agreement, OfBothQualitiesOverManyPrimitives) {
+  Random random(701);
+  Soup soup;
+  GetParam().fill(soup, random, 10000);
+  const Bvh fast(soup.Geometry()), high(soup.Geometry(), BuildQuality::High);
+  std::uint64_t wrong = 0, rays = 0;
+  for (std::uint64_t i = 0; i < test::Scaled(1000); ++i) {
+    const Ray ray = test::RandomRay(random, soup);
+    const unsigned mask = random.Chance(0.5) ? kernel::MASK_ALL : 1u << random.Index(5);
+    const Intersection a = fast.Closest(ray, kernel::Infinite, mask);
+    const Intersection b = high.Closest(ray, kernel::Infinite, mask);
+    ++rays;
+    wrong += a.t != b.t || a.primitive != b.primitive || a.instance != b.instance ||
+             fast.Any(ray, a.t, mask) != high.Any(ray, a.t, mask);
+  }
+  const std::uint64_t allowed = GetParam().name == "Slivers" ? 1 + rays / 100000 : 0;
+  EXPECT_LE(wrong, allowed) << "of " << rays;
+}
+
+TEST_P(Agreement, OfManyRaysWithOne) {
+  Random random(702);
+  for (const unsigned count : {1u, 9u, 300u, 3000u}) {
+    Soup soup;
+    GetParam().fill(soup, random, count);
+    if (soup.PrimitiveCount() == 0) continue;
+    Bvh bvh(soup.Geometry());
+    // Fewer than are under way at once, and more
+    for (const std::size_t rays : {0u, 1u, 5u, 8u, 9u, 700u}) {
+      std::vector<Query> queries;
+      for (std::size_t i = 0; i < rays; ++i) {
+        const float limit = float(random.LogUniform(1e-2, 1e2));
+        queries.push_back({test::RandomRay(random, soup), i % 3 == 0 ? limit : kernel::Infinite});
+      }
+      const unsigned mask = random.Chance(0.5) ? kernel::MASK_ALL : 1u << random.Index(5);
+      for (const InstructionSet set : SupportedInstructionSets()) {
+        bvh.Use(set);
+        std::vector<Intersection> found(rays);
+        const std::unique_ptr<bool[]> hit(new bool[rays]);
+        bvh.Closest(queries, found.data(), mask);
+        bvh.Any(queries, hit.get(), mask);
+        for (std::size_t i = 0; i < rays; ++i) {
+          const Intersection one = bvh.Closest(queries[i].ray, queries[i].tMax, mask);
+          ASSERT_EQ(found[i].t, one.t) << NameOf(set);
+          ASSERT_EQ(found[i].primitive, one.primitive) << NameOf(set);
+          ASSERT_EQ(found[i].instance, one.instance) << NameOf(set);
+          ASSERT_EQ(hit[i], one.primitive != kernel::None) << NameOf(set);
+        }
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Agreement, testing::ValuesIn(test::SoupKinds()),

@@ -20,6 +20,18 @@ void ClearBlock(PairBlock& block) {
   std::ranges::fill(block.unused, 0u);
 }
 
+void PackInstance(PlacedTree& placed, std::uint32_t instance, const Geometry& geometry) {
+  const kernel::Instance& from = geometry.instances[instance];
+  const kernel::Transform& map = from.toWorld;
+  const std::uint32_t mask = geometry.objects.empty() ? ~0u : geometry.objects[from.object].mask;
+  placed = {{map.rowX.x, map.rowY.x, map.rowZ.x, map.rowX.y, map.rowY.y, map.rowZ.y, map.rowX.z,
+             map.rowY.z, map.rowZ.z, map.origin.x, map.origin.y, map.origin.z},
+            from.root,
+            instance,
+            mask,
+            0};
+}
+
 float PackPair(PairBlock& block, std::uint32_t lane, std::uint32_t first, std::uint32_t second,
                const Geometry& geometry) {
   const kernel::Triangle& s = geometry.triangles[first];

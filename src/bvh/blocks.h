@@ -15,10 +15,13 @@ void ClearBlock(PairBlock& block);
 float PackPair(PairBlock& block, std::uint32_t lane, std::uint32_t first, std::uint32_t second,
                const Geometry& geometry);
 
+// Place an instance's tree.
+void PackInstance(PlacedTree& placed, std::uint32_t instance, const Geometry& geometry);
+
 inline void SetChildBox(WideNode& node, int child, const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    node.planes[axis][child] = box.lower[axis];
-    node.planes[axis][Width + child] = -box.upper[axis];
+    node.planes[axis][child] = box.lower[axis] + 0.0f;  // no −0
+    node.planes[axis][Width + child] = 0.0f - box.upper[axis];
   }
 }
 

@@ -76,8 +76,8 @@ class Walker {
     for (std::uint32_t i = FirstOf(leaf); i < FirstOf(leaf) + CountOf(leaf); ++i) {
       switch (KindOf(leaf)) {
         case LeafKind::Triangles: VisitBlock(arrays_.blocks.at(i), bounds); break;
-        case LeafKind::Shapes: VisitShape(arrays_.items.at(i), bounds); break;
-        case LeafKind::Instances: ++census_.instances[arrays_.items.at(i)]; break;
+        case LeafKind::Shapes: VisitShape(arrays_.shapes.at(i), bounds); break;
+        case LeafKind::Instances: ++census_.instances[arrays_.placed.at(i).instance]; break;
         default: ++census_.faults;
       }
     }
@@ -123,15 +123,22 @@ bool AllOnce(const std::map<std::uint32_t, int>& times, std::uint32_t first, std
   return true;
 }
 
-class Build : public testing::TestWithParam<test::SoupKind> {};
+class Build : public testing::TestWithParam<std::tuple<test::SoupKind, BuildQuality>> {
+ protected:
+  Soup MakeSoup(Random& random, unsigned count) const {
+    Soup soup;
+    std::get<0>(GetParam()).fill(soup, random, count);
+    return soup;
+  }
+  BuildQuality quality() const { return std::get<1>(GetParam()); }
+};
 
 TEST_P(Build, PutsEveryPrimitiveIntoOneLeafWithinItsBox) {
   Random random(710);
   for (const unsigned count : {1u, 2u, 3u, 7u, 8u, 9u, 40u, 300u, 3000u}) {
-    Soup soup;
-    GetParam().fill(soup, random, count);
+    Soup soup = MakeSoup(random, count);
     const Geometry geometry = soup.Geometry();
-    const Bvh bvh(geometry);
+    const Bvh bvh(geometry, quality());
     EXPECT_EQ(bvh.droppedPrimitives(), 0u);
     const Census world = Walker(bvh, geometry).Walk(bvh.trees()[0]);
     EXPECT_EQ(world.faults, 0u);
@@ -158,17 +165,17 @@ TEST_P(Build, PutsEveryPrimitiveIntoOneLeafWithinItsBox) {
 TEST_P(Build, GivesTheSameBytesAtAnyNumberOfThreads) {
   const auto build = [&](int threads) {
     Random random(711);
-    Soup soup;
-    GetParam().fill(soup, random, 40000);
+    Soup soup = MakeSoup(random, 40000);
     const ThreadLimit limit(threads);
-    const Bvh bvh(soup.Geometry());
+    const Bvh bvh(soup.Geometry(), quality());
     std::string bytes;
     const auto append = [&](const auto& array) {
       bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0]));
     };
     append(bvh.arrays().nodes);
     append(bvh.arrays().blocks);
-    append(bvh.arrays().items);
+    append(bvh.arrays().shapes);
+    append(bvh.arrays().placed);
     append(bvh.trees());
     return bytes;
   };
@@ -176,15 +183,22 @@ TEST_P(Build, GivesTheSameBytesAtAnyNumberOfThreads) {
   for (const int threads : {2, 4, 0}) EXPECT_TRUE(build(threads) == one) << threads;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Build, testing::ValuesIn(test::SoupKinds()),
-                         [](const auto& soup) { return soup.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, Build,
+                         testing::Combine(testing::ValuesIn(test::SoupKinds()),
+                                          testing::Values(BuildQuality::Fast, BuildQuality::High)),
+                         [](const auto& of) {
+                           const bool high = std::get<1>(of.param) == BuildQuality::High;
+                           return std::get<0>(of.param).name + (high ? "High" : "Fast");
+                         });
 
-Census CensusOf(const std::vector<vec3>& corners) {
+constexpr BuildQuality Qualities[] = {BuildQuality::Fast, BuildQuality::High};
+
+Census CensusOf(const std::vector<vec3>& corners, BuildQuality quality) {
   Soup soup;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     soup.AddTriangle(corners[i], corners[i + 1], corners[i + 2]);
   const Geometry geometry = soup.Geometry();
-  const Bvh bvh(geometry);
+  const Bvh bvh(geometry, quality);
   return Walker(bvh, geometry).Walk(bvh.trees()[0]);
 }
 
@@ -193,10 +207,12 @@ TEST(TreeDepth, IsLogarithmicForEqualTriangles) {
     std::vector<vec3> corners;
     for (int i = 0; i < 100000; ++i)
       corners.insert(corners.end(), {vec3(0), vec3(points ? 0 : 1, 0, 0), vec3(0, 0, 0)});
-    const Census census = CensusOf(corners);
-    EXPECT_EQ(census.triangles.size(), 100000u);
-    EXPECT_LE(census.depth, 17);
-    EXPECT_LE(census.nodes, 100000u / 4);
+    for (const BuildQuality quality : Qualities) {
+      const Census census = CensusOf(corners, quality);
+      EXPECT_EQ(census.triangles.size(), 100000u);
+      EXPECT_LE(census.depth, 17);
+      EXPECT_LE(census.nodes, 100000u / 4);
+    }
   }
 }
 
@@ -220,11 +236,13 @@ TEST(TreeDepth, IsBoundedForProgressionsOfSizes) {
             }
           }
         }
-        const Census census = CensusOf(corners);
-        EXPECT_EQ(census.faults, 0u);
-        EXPECT_EQ(census.triangles.size(), corners.size() / 3);
-        EXPECT_LE(census.depth, 80);
-        EXPECT_LT(census.stack, StackSize);
+        for (const BuildQuality quality : Qualities) {
+          const Census census = CensusOf(corners, quality);
+          EXPECT_EQ(census.faults, 0u);
+          EXPECT_EQ(census.triangles.size(), corners.size() / 3);
+          EXPECT_LE(census.depth, 80);
+          EXPECT_LT(census.stack, StackSize);
+        }
       }
     }
   }

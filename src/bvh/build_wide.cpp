@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +23,21 @@ constexpr std::uint32_t TaskSize = 4096;
 struct Usage {
   std::uint32_t nodes = 0;
   std::uint32_t blocks = 0;
-  std::uint32_t items = 0;
+  std::uint32_t shapes = 0;
+  std::uint32_t placed = 0;
 
   Usage& operator+=(const Usage& other) {
     nodes += other.nodes;
     blocks += other.blocks;
-    items += other.items;
+    shapes += other.shapes;
+    placed += other.placed;
     return *this;
   }
+};
+
+// How many of i + 1 places the left child gets; 0: the node is better not opened.
+struct Choice {
+  std::uint8_t toLeft[Width];
 };
 
 struct Children {
@@ -45,67 +52,111 @@ class Collapser {
             const Geometry& geometry, WideArrays& arrays)
       : tree_(tree), references_(references), geometry_(geometry), arrays_(arrays) {
     usages_.resize(tree.size());
+    choices_.resize(tree.size());
+    leastArea_ = std::max(tree[0].box.HalfArea() * 1e-9f, 1e-30f);
   }
 
   ChildRef Collapse() {
+    Choose(0);
     const Usage total = Plan(0, 0);
     Usage start{std::uint32_t(arrays_.nodes.size()), std::uint32_t(arrays_.blocks.size()),
-                std::uint32_t(arrays_.items.size())};
-    const std::uint64_t elements = std::max(std::uint64_t(start.blocks) + total.blocks,
-                                            std::uint64_t(start.items) + total.items);
+                std::uint32_t(arrays_.shapes.size()), std::uint32_t(arrays_.placed.size())};
+    const std::uint64_t elements = std::max({std::uint64_t(start.blocks) + total.blocks,
+                                             std::uint64_t(start.shapes) + total.shapes,
+                                             std::uint64_t(start.placed) + total.placed});
     if (elements > MaxElementIndex)
       throw Error(fmt::format("the scene has more geometry than a BVH holds ({} leaf elements)",
                               MaxElementIndex));
     arrays_.nodes.resize(start.nodes + total.nodes);
     arrays_.blocks.resize(start.blocks + total.blocks);
-    arrays_.items.resize(start.items + total.items);
+    arrays_.shapes.resize(start.shapes + total.shapes);
+    arrays_.placed.resize(start.placed + total.placed);
     ChildRef root = NoChild;
     Emit(0, 0, start, root);
     return root;
   }
 
  private:
-  // Open the inner child of the largest area until there are eight.
+  // The least sum of the areas of wide nodes that a subtree needs if it may be up to i + 1 children of the
+  // node above it.
+  struct Areas {
+    float at[Width];
+  };
+
+  // Find the best way to put a subtree's nodes together (after Ylitie, Karras and Laine 2017, "Efficient
+  // incoherent ray traversal on GPUs through compressed wide BVHs", section 3.1).
+  Areas Choose(std::uint32_t index) {
+    const BinaryNode& node = tree_[index];
+    if (node.IsLeaf()) return {};
+    Areas left, right;
+    const auto chooseLeft = [&] { left = Choose(index + 1); };
+    const auto chooseRight = [&] { right = Choose(node.Right()); };
+    if (node.Count() > TaskSize) {
+      tbb::parallel_invoke(chooseLeft, chooseRight);
+    } else {
+      chooseLeft();
+      chooseRight();
+    }
+    Areas opened;
+    Choice& choice = choices_[index];
+    for (int i = 1; i < Width; ++i) {
+      // Areas may be infinite, all of them
+      opened.at[i] = left.at[0] + right.at[i - 1];
+      choice.toLeft[i] = 1;
+      for (int toLeft = 1; toLeft < i; ++toLeft) {
+        const float area = left.at[toLeft] + right.at[i - 1 - toLeft];
+        if (area < opened.at[i]) {
+          opened.at[i] = area;
+          choice.toLeft[i] = std::uint8_t(toLeft + 1);
+        }
+      }
+    }
+    const float own = std::max(node.box.HalfArea(), leastArea_) + opened.at[Width - 1];
+    Areas areas{{own}};
+    for (int i = 1; i < Width; ++i) {
+      areas.at[i] = std::min(own, opened.at[i]);
+      // The last entry serves the node itself, which is opened in any case
+      if (!(opened.at[i] < own) && i < Width - 1) choice.toLeft[i] = 0;
+    }
+    choice.toLeft[0] = 0;
+    return areas;
+  }
+
+  // The children of the wide node that a binary one becomes.
   Children ChildrenOf(std::uint32_t parent, std::uint32_t firstReference) const {
     Children children;
-    const auto add = [&](int at, std::uint32_t index, std::uint32_t first) {
-      children.index[at] = index;
-      children.first[at] = first;
-    };
-    float areas[Width];
-    const auto measure = [&](int at) {
-      const BinaryNode& node = tree_[children.index[at]];
-      areas[at] = node.IsLeaf() ? -1.0f : node.box.HalfArea();
-    };
-    add(0, parent + 1, firstReference);
-    add(1, tree_[parent].Right(), firstReference + tree_[parent + 1].Count());
-    measure(0);
-    measure(1);
-    children.count = 2;
-    while (children.count < Width) {
-      const int largest = int(std::max_element(areas, areas + children.count) - areas);
-      if (areas[largest] < 0.0f) break;
-      const std::uint32_t opened = children.index[largest], first = children.first[largest];
-      add(largest, opened + 1, first);
-      add(children.count, tree_[opened].Right(), first + tree_[opened + 1].Count());
-      measure(largest);
-      measure(children.count++);
-    }
+    Open(parent, firstReference, Width, children);
     return children;
+  }
+
+  void Open(std::uint32_t index, std::uint32_t firstReference, int places,
+            Children& children) const {
+    const int toLeft = choices_[index].toLeft[places - 1];
+    Add(index + 1, firstReference, toLeft, children);
+    Add(tree_[index].Right(), firstReference + tree_[index + 1].Count(), places - toLeft, children);
+  }
+
+  void Add(std::uint32_t index, std::uint32_t firstReference, int places,
+           Children& children) const {
+    if (!tree_[index].IsLeaf() && places > 1 && choices_[index].toLeft[places - 1] > 0)
+      return Open(index, firstReference, places, children);
+    children.index[children.count] = index;
+    children.first[children.count++] = firstReference;
+  }
+
+  static Usage UsageOfLeaf(LeafKind kind, std::uint32_t count) {
+    Usage usage;
+    (kind == LeafKind::Triangles ? usage.blocks
+     : kind == LeafKind::Shapes  ? usage.shapes
+                                 : usage.placed) = kind == LeafKind::Triangles ? 1 : count;
+    return usage;
   }
 
   // What a subtree will take.
   Usage Plan(std::uint32_t index, std::uint32_t firstReference) {
     Usage usage;
     const BinaryNode& node = tree_[index];
-    if (node.IsLeaf()) {
-      if (references_[firstReference].Kind() == LeafKind::Triangles) {
-        usage.blocks = 1;
-      } else {
-        usage.items = node.Count();
-      }
-      return usage;
-    }
+    if (node.IsLeaf()) return UsageOfLeaf(references_[firstReference].Kind(), node.Count());
     const Children children = ChildrenOf(index, firstReference);
     usage.nodes = 1;
     if (node.Count() > TaskSize) {
@@ -128,9 +179,16 @@ class Collapser {
         ref = LeafRef(kind, start.blocks, 1);
         return PackBlock(start.blocks, firstReference, node.Count());
       }
-      ref = LeafRef(kind, start.items, node.Count());
-      for (std::uint32_t i = 0; i < node.Count(); ++i)
-        arrays_.items[start.items + i] = references_[firstReference + i].First();
+      const bool isShape = kind == LeafKind::Shapes;
+      ref = LeafRef(kind, isShape ? start.shapes : start.placed, node.Count());
+      for (std::uint32_t i = 0; i < node.Count(); ++i) {
+        const std::uint32_t id = references_[firstReference + i].First();
+        if (isShape) {
+          arrays_.shapes[start.shapes + i] = id;
+        } else {
+          PackInstance(arrays_.placed[start.placed + i], id, geometry_);
+        }
+      }
       return node.box.HalfArea();
     }
 
@@ -140,13 +198,8 @@ class Collapser {
     for (int i = 0; i < children.count; ++i) {
       starts[i] = start;
       const BinaryNode& child = tree_[children.index[i]];
-      if (!child.IsLeaf()) {
-        start += usages_[children.index[i]];
-      } else if (references_[children.first[i]].Kind() == LeafKind::Triangles) {
-        ++start.blocks;
-      } else {
-        start.items += child.Count();
-      }
+      start += child.IsLeaf() ? UsageOfLeaf(references_[children.first[i]].Kind(), child.Count())
+                              : usages_[children.index[i]];
     }
     ChildRef refs[Width];
     float surfaces[Width];
@@ -201,6 +254,8 @@ class Collapser {
   const Geometry& geometry_;
   WideArrays& arrays_;
   HugeVector<Usage> usages_;
+  HugeVector<Choice> choices_;
+  float leastArea_;  // so that nodes without extent cost something, too
 };
 
 }  // namespace

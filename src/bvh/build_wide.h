@@ -12,7 +12,8 @@ namespace snell::bvh {
 struct WideArrays {
   HugeVector<WideNode> nodes;
   HugeVector<PairBlock> blocks;
-  std::vector<std::uint32_t> items;  // shapes or instances of leaves
+  std::vector<std::uint32_t> shapes;  // of leaves
+  HugeVector<PlacedTree> placed;      // instances of leaves
 };
 
 // Append a tree to the arrays; returns its root. `references` are in the order of the tree's leaves.

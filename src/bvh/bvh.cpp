@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bvh/bvh.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <utility>
 
 #include "bvh/bounds.h"
 #include "bvh/refit.h"
+#include "bvh/reinsert.h"
+#include "util/error.h"
 
 namespace snell::bvh {
 
@@ -16,6 +20,8 @@ static void SetReach(Tree& tree, const Bounds& bounds) {
 
 Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
     : geometry_(geometry), quality_(quality), traversal_(&TraversalFor(BestInstructionSet())) {
+  if (geometry.triangles.size() > MaxTriangles)
+    throw Error(fmt::format("the scene has more triangles than a BVH holds ({})", MaxTriangles));
   trees_.emplace_back();
 
   // Build one tree per mesh that instances place
@@ -64,23 +70,26 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
 
   view_ = {arrays_.nodes.data(),
            arrays_.blocks.data(),
-           arrays_.items.data(),
+           arrays_.shapes.data(),
+           arrays_.placed.data(),
            trees_.data(),
            unbounded_.data(),
            std::uint32_t(unbounded_.size()),
+           arrays_.shapes.empty() && geometry.instances.empty(),
            view_.treeMask,
            geometry.triangles.data(),
-           geometry.meshes.data(),
+           geometry.meshes.empty() ? nullptr : geometry.meshes.data(),
            geometry.shapes.data(),
            geometry.instances.data(),
-           geometry.objects.data(),
+           geometry.objects.empty() ? nullptr : geometry.objects.data(),
            HitFilter{}};
 }
 
 Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {
   Tree tree;
   if (references.empty()) return tree;
-  const BinaryTree binary = BuildBinaryTree(references);
+  BinaryTree binary = BuildBinaryTree(references);
+  if (quality_ == BuildQuality::High) ReinsertSubtrees(binary, references);
   bounds = BoundsOf(binary[0].box);
   SetReach(tree, bounds);
   tree.root = AppendWideTree(binary, references, geometry_, arrays_);
@@ -123,7 +132,8 @@ void Bvh::Refit() {
 
 std::uint64_t Bvh::MemoryBytes() const {
   return arrays_.nodes.size() * sizeof(WideNode) + arrays_.blocks.size() * sizeof(PairBlock) +
-         arrays_.items.size() * sizeof(std::uint32_t) + trees_.size() * sizeof(Tree);
+         arrays_.shapes.size() * sizeof(std::uint32_t) +
+         arrays_.placed.size() * sizeof(PlacedTree) + trees_.size() * sizeof(Tree);
 }
 
 }  // namespace snell::bvh

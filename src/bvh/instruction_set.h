@@ -18,6 +18,9 @@ enum class InstructionSet { Portable, Sse42, Avx2, Avx512 };
 struct Traversal {
   Intersection (*closest)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask);
   bool (*any)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask);
+  void (*closestMany)(const View&, const Query*, std::size_t count, std::uint32_t mask,
+                      Intersection* found);
+  void (*anyMany)(const View&, const Query*, std::size_t count, std::uint32_t mask, bool* hit);
 };
 
 // "AVX-512", for messages.

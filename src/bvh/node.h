@@ -64,13 +64,24 @@ inline constexpr std::uint32_t MaxTriangles = (1u << 30) - 1;
 constexpr std::uint32_t TriangleOf(std::uint32_t id) { return id & MaxTriangles; }
 constexpr std::uint32_t TurnOf(std::uint32_t id) { return id >> 30; }
 
+// A mesh's tree placed in the world, for rays on their way in: from kernel::Instance::toWorld the x of its
+// three rows, their y, their z, and the origin. One cache line.
+struct alignas(64) PlacedTree {
+  float map[12];
+  std::uint32_t tree;
+  std::uint32_t instance;
+  std::uint32_t mask;    // of the object
+  std::uint32_t unused;  // 0
+};
+
 // The root of one tree, and how far its bounds reach from the origin along each axis.
 struct Tree {
+  float reach[4] = {0, 0, 0, 0};
   ChildRef root = None;  // None: the tree is empty
-  alignas(16) float reach[4] = {0, 0, 0, 0};
   // The masks of the objects of the world's triangles: what all have in common, and what any has
   std::uint32_t commonMask = 0;
   std::uint32_t anyMask = 0;
+  std::uint32_t unused = 0;
 };
 
 }  // namespace snell::bvh

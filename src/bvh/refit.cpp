@@ -40,14 +40,17 @@ class Refitter {
     Box box;
     if (leaf == NoChild) return box;
     if (KindOf(leaf) == LeafKind::Triangles) return RefitBlock(arrays_.blocks[FirstOf(leaf)]);
-    for (std::uint32_t i = 0; i < CountOf(leaf); ++i) {
-      const std::uint32_t item = arrays_.items[FirstOf(leaf) + i];
+    for (std::uint32_t i = FirstOf(leaf); i < FirstOf(leaf) + CountOf(leaf); ++i) {
+      Bounds bounds;
       if (KindOf(leaf) == LeafKind::Shapes) {
-        box.Extend(BoxOf(ShapeBounds(geometry_.shapes[item])));
+        bounds = ShapeBounds(geometry_.shapes[arrays_.shapes[i]]);
       } else {
-        const kernel::Instance& instance = geometry_.instances[item];
-        box.Extend(BoxOf(TransformedBounds(instance.toWorld, treeBounds_[instance.root])));
+        PlacedTree& placed = arrays_.placed[i];
+        PackInstance(placed, placed.instance, geometry_);
+        bounds = TransformedBounds(geometry_.instances[placed.instance].toWorld,
+                                   treeBounds_[placed.tree]);
       }
+      if (bounds.Finite()) box.Extend(BoxOf(bounds));
     }
     return box;
   }
@@ -59,9 +62,10 @@ class Refitter {
       if (first == None) continue;
       PackPair(block, lane, TriangleOf(first), second == None ? MaxTriangles : TriangleOf(second),
                geometry_);
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        const std::uint32_t place = k * BlockWidth + lane;
-        box.Extend(Vec4{block.corner[0][place], block.corner[1][place], block.corner[2][place], 0});
+      for (const std::uint32_t id : {first, second}) {
+        if (id == None) continue;
+        const Bounds bounds = TriangleBounds(geometry_, TriangleOf(id));
+        if (bounds.Finite()) box.Extend(BoxOf(bounds));
       }
     }
     return box;

@@ -85,6 +85,7 @@ SIMD_FN Float4 Load4(const float* p) { return LoadLanes<4>(p); }
 SIMD_FN void Store4(float* p, Float4 a) { std::memcpy(p, a.v, sizeof a.v); }
 SIMD_FN Float4 Set4(float x) { return Broadcast<4>(x); }
 SIMD_FN Float4 Set4(float x, float y, float z, float w) { return {{x, y, z, w}}; }
+SIMD_FN Float4 WithLast(Float4 a, float last) { return {{a.v[0], a.v[1], a.v[2], last}}; }
 SIMD_FN Float4 Negate(Float4 a) {
   return Map(a, a, [](float x, float) { return -x; });
 }

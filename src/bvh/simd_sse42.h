@@ -17,7 +17,7 @@ struct Float4 {
   __m128 v;
 };
 
-SIMD_FN Float4 Load4(const float* p) { return {_mm_load_ps(p)}; }
+SIMD_FN Float4 Load4(const float* p) { return {_mm_loadu_ps(p)}; }
 SIMD_FN void Store4(float* p, Float4 a) { _mm_storeu_ps(p, a.v); }
 SIMD_FN Float4 Set4(float x) { return {_mm_set1_ps(x)}; }
 SIMD_FN Float4 Set4(float x, float y, float z, float w) { return {_mm_setr_ps(x, y, z, w)}; }
@@ -30,6 +30,9 @@ SIMD_FN Float4 FlipSign(Float4 a, Float4 sign) {
 SIMD_FN Float4 Max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 SIMD_FN Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
 SIMD_FN Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+SIMD_FN Float4 WithLast(Float4 a, float last) {
+  return {_mm_insert_ps(a.v, _mm_set_ss(last), 0x30)};
+}
 SIMD_FN Float4 Negate(Float4 a) { return {_mm_xor_ps(_mm_set1_ps(-0.0f), a.v)}; }
 
 #ifndef SNELL_SIMD_NATIVE8

@@ -9,6 +9,12 @@
 
 namespace snell::bvh {
 
+// A ray, and how far it looks: for hits at 0 < t ≤ tMax, in units of d's length.
+struct Query {
+  kernel::Ray ray;
+  float tMax;
+};
+
 // The nearest hit. `primitive` is None, and t the limit that was given, if there is none; else kernel::Hit
 // says what the ids mean.
 struct Intersection {
@@ -27,10 +33,12 @@ struct HitFilter {
 struct View {
   const WideNode* nodes = nullptr;
   const PairBlock* blocks = nullptr;
-  const std::uint32_t* items = nullptr;      // shapes or instances of leaves
-  const Tree* trees = nullptr;               // the first is the world's
-  const std::uint32_t* unbounded = nullptr;  // shapes without bounds, which every ray tests
+  const std::uint32_t* leafShapes = nullptr;  // of leaves
+  const PlacedTree* placed = nullptr;         // instances of leaves
+  const Tree* trees = nullptr;                // the first is the world's
+  const std::uint32_t* unbounded = nullptr;   // shapes without bounds, which every ray tests
   std::uint32_t unboundedCount = 0;
+  bool plainTree = false;      // the world's tree holds triangles alone
   std::uint32_t treeMask = 0;  // of all objects that the world's tree holds, together
 
   // The caller's geometry

@@ -4,6 +4,7 @@
 // with a mask of its own. The search to compare with is the GPU's, which asks every primitive in turn.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bvh/geometry.h"
@@ -64,6 +65,11 @@ class Soup {
     instance.toWorld = ToKernel(map);
     instances_.push_back(instance);
   }
+
+  // What may move while views are used.
+  std::span<kernel::vec3> positions() { return positions_; }
+  std::span<kernel::Shape> shapes() { return shapes_; }
+  std::span<kernel::Instance> instances() { return instances_; }
 
   // Views; the soup must not move or grow while they are used.
   bvh::Geometry Geometry() {
