@@ -69,7 +69,7 @@ struct BinMap {
   Vec4 scale;
 
   explicit BinMap(const Range& range)
-      : count(std::min(MaxBins, 4 + int(std::min(range.Count(), 4096u) / 16))),
+      : count(std::min(MaxBins, 4 + int(std::min(range.extent.weight, 4096u) / 16))),
         origin(range.extent.centroids.lower) {
     for (int axis = 0; axis < 3; ++axis) {
       const float size = range.extent.centroids.upper[axis] - origin[axis];

@@ -104,7 +104,7 @@ void Bvh::FindTriangleMasks() {
   Tree& world = trees_[0];
   world.commonMask = ~0u;
   if (geometry_.meshes.empty()) {
-    world.anyMask = ~0u;
+    world.anyMask = geometry_.worldTriangles > 0 ? ~0u : 0u;
   } else {
     // Triangles of a mesh follow each other
     std::uint32_t mesh = None;

@@ -89,7 +89,7 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
 }
 
 template <bool AnyHit>
-SIMD_CALL bool IntersectShapes(const View& view, const std::uint32_t* items, std::uint32_t count,
+SIMD_FN bool IntersectShapes(const View& view, const std::uint32_t* items, std::uint32_t count,
                                const Ray& ray, std::uint32_t mask, Best& best) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t index = items[i];
@@ -121,7 +121,8 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
   const bool choosy =
       !Plain && ((isWorld && (tree.commonMask & mask) == 0) || view.filter.accepts != nullptr);
   const NodeRay nodeRay = PrepareForNodes(o, d, tree);
-  const BlockRay blockRay = PrepareForBlocks(o, d, tree);
+  BlockRay blockRay;
+  if (seesTriangles) blockRay = PrepareForBlocks(o, d, tree);
   Float16 limits = Join(Set8(0.0f), Set8(-best.t));
   Waiting stack[StackSize];
   Waiting* top = stack;
