@@ -29,6 +29,7 @@ snell: without apt, please install what is missing of these packages by hand:
   Homebrew: brew install cmake ninja shaderc spirv-tools tbb glm fmt tomlplusplus cli11
               openexr libpng jpeg-turbo; and from its source: tinyobjloader
             for the tests: googletest vulkan-headers vulkan-loader molten-vk
+  Embree 3 (not 4), where there is a package, adds the benchmark of rays.
 END
 }
 

@@ -90,7 +90,7 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
 
 template <bool AnyHit>
 SIMD_FN bool IntersectShapes(const View& view, const std::uint32_t* items, std::uint32_t count,
-                               const Ray& ray, std::uint32_t mask, Best& best) {
+                             const Ray& ray, std::uint32_t mask, Best& best) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t index = items[i];
     const kernel::Shape& shape = view.shapes[index];
