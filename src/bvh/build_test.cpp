@@ -8,6 +8,7 @@
 #include <map>
 
 #include "bvh/bvh.h"
+#include "bvh/tree_bytes.h"
 #include "support/soups.h"
 #include "util/threads.h"
 
@@ -167,17 +168,7 @@ TEST_P(Build, GivesTheSameBytesAtAnyNumberOfThreads) {
     Random random(711);
     Soup soup = MakeSoup(random, 40000);
     const ThreadLimit limit(threads);
-    const Bvh bvh(soup.Geometry(), quality());
-    std::string bytes;
-    const auto append = [&](const auto& array) {
-      bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0]));
-    };
-    append(bvh.arrays().nodes);
-    append(bvh.arrays().blocks);
-    append(bvh.arrays().shapes);
-    append(bvh.arrays().placed);
-    append(bvh.trees());
-    return bytes;
+    return BytesOf(Bvh(soup.Geometry(), quality()));
   };
   const std::string one = build(1);
   for (const int threads : {2, 4, 0}) EXPECT_TRUE(build(threads) == one) << threads;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/bvh.h"
+#include "bvh/tree_bytes.h"
 #include "support/soups.h"
 #include "util/threads.h"
 
@@ -19,19 +20,6 @@ using test::Soup;
 
 constexpr float Inf = std::numeric_limits<float>::infinity();
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
-
-std::string BytesOf(const Bvh& bvh) {
-  std::string bytes;
-  const auto append = [&](const auto& array) {
-    bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0]));
-  };
-  append(bvh.arrays().nodes);
-  append(bvh.arrays().blocks);
-  append(bvh.arrays().shapes);
-  append(bvh.arrays().placed);
-  append(bvh.trees());
-  return bytes;
-}
 
 // Move vertices by up to `distance`; with `anew`, shapes and instances become others somewhere else.
 void Move(Soup& soup, Random& random, double distance, bool anew) {
