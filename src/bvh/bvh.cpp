@@ -75,7 +75,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
            trees_.data(),
            unbounded_.data(),
            std::uint32_t(unbounded_.size()),
-           arrays_.shapes.empty() && geometry.instances.empty(),
+           0,
            view_.treeMask,
            geometry.triangles.data(),
            geometry.meshes.empty() ? nullptr : geometry.meshes.data(),
@@ -83,6 +83,18 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
            geometry.instances.data(),
            geometry.objects.empty() ? nullptr : geometry.objects.data(),
            HitFilter{}};
+  FindPlainMask();
+}
+
+void Bvh::SetFilter(const HitFilter& filter) {
+  view_.filter = filter;
+  FindPlainMask();
+}
+
+void Bvh::FindPlainMask() {
+  const bool plain = trees_[0].root != None && geometry_.shapes.empty() &&
+                     geometry_.instances.empty() && view_.filter.accepts == nullptr;
+  view_.plainMask = plain ? trees_[0].commonMask : 0;
 }
 
 Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {

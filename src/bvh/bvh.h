@@ -55,7 +55,7 @@ class Bvh {
   }
 
   // Ask `filter` about every hit before it counts, for instance whether an alpha texture has a hole there.
-  void SetFilter(const HitFilter& filter) { view_.filter = filter; }
+  void SetFilter(const HitFilter& filter);
 
   // Follow geometry that has moved: positions, instances' transforms and shapes may have changed, but not
   // their numbers, the shapes' kinds, or what the triangles connect. Much faster than a new BVH, and rays are slower the more
@@ -81,6 +81,7 @@ class Bvh {
   Tree BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds);
   std::uint32_t MaskOf(std::uint32_t object) const;
   void FindTriangleMasks();
+  void FindPlainMask();
 
   Geometry geometry_;
   BuildQuality quality_;

@@ -23,9 +23,7 @@ SIMD_FN NodeRay PrepareForNodes(Float4 o, Float4 direction, const Tree& tree) {
   const Float4 error = (Abs(start) + Load4(tree.reach) * scale) * Set4(kernel::Gamma(8.0f));
   const Float8 offset = Join(Negate(start + error), start - error);
   NodeRay ray;
-  ray.order[0] = OrderHalves<0>(direction);
-  ray.order[1] = OrderHalves<1>(direction);
-  ray.order[2] = OrderHalves<2>(direction);
+  OrderHalves(direction, ray.order);
   const Float8 scales = Join(scale, scale);
   ray.scale[0] = Spread<0>(scales);
   ray.scale[1] = Spread<1>(scales);

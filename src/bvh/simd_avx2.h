@@ -28,7 +28,22 @@ SIMD_FN float Lane(Float8 a, std::uint32_t lane) {
   return _mm256_cvtss_f32(_mm256_permutevar8x32_ps(a.v, _mm256_set1_epi32(int(lane))));
 }
 SIMD_FN Float8 Join(Float4 low, Float4 high) { return {_mm256_set_m128(high.v, low.v)}; }
+SIMD_FN Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.v, b.v)}; }
 #ifdef __AVX512VL__
+struct Mask8 {
+  __mmask8 v;
+};
+SIMD_FN Float8 Where(Mask8 mask, Float8 yes, Float8 no) {
+  return {_mm256_mask_blend_ps(mask.v, no.v, yes.v)};
+}
+struct Turns {
+  Mask8 once;
+  Mask8 twice;
+};
+SIMD_FN Turns LoadTurns(const std::uint32_t* id) {
+  const __m256i ids = _mm256_load_si256(reinterpret_cast<const __m256i*>(id));
+  return {{_mm256_test_epi32_mask(ids, _mm256_set1_epi32(1 << 30))}, {_mm256_movepi32_mask(ids)}};
+}
 SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
@@ -36,6 +51,20 @@ SIMD_FN std::uint32_t MaskLess(Float8 a, Float8 b) {
   return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ);
 }
 #else
+struct Mask8 {
+  __m256 v;
+};
+SIMD_FN Float8 Where(Mask8 mask, Float8 yes, Float8 no) {
+  return {_mm256_blendv_ps(no.v, yes.v, mask.v)};
+}
+struct Turns {
+  Mask8 once;
+  Mask8 twice;
+};
+SIMD_FN Turns LoadTurns(const std::uint32_t* id) {
+  const __m256i ids = _mm256_load_si256(reinterpret_cast<const __m256i*>(id));
+  return {{_mm256_castsi256_ps(_mm256_slli_epi32(ids, 1))}, {_mm256_castsi256_ps(ids)}};
+}
 SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   return std::uint32_t(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
@@ -59,10 +88,11 @@ SIMD_FN Float8 HighHalf(Float16 a) { return {a.high}; }
 struct HalfOrder {
   std::size_t first;
 };
-template <int Axis>
-SIMD_FN HalfOrder OrderHalves(Float4 direction) {
-  const std::uint32_t bits = std::uint32_t(_mm_extract_epi32(_mm_castps_si128(direction.v), Axis));
-  return {std::size_t(bits >> 31) * 8};
+SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
+  const std::size_t signs = SignMask(direction);
+  order[0].first = (signs & 1) * 8;
+  order[1].first = (signs >> 1 & 1) * 8;
+  order[2].first = (signs >> 2 & 1) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   return {_mm256_load_ps(p + order.first), _mm256_load_ps(p + (order.first ^ 8))};

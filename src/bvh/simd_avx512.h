@@ -22,13 +22,13 @@ SIMD_FN Float8 HighHalf(Float16 a) { return {_mm512_extractf32x8_ps(a.v, 1)}; }
 struct HalfOrder {
   __m512i index;
 };
-template <int Axis>
-SIMD_FN HalfOrder OrderHalves(Float4 direction) {
+SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
   const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const __m512i same = _mm512_permutexvar_epi32(
-      _mm512_set1_epi32(Axis), _mm512_castsi128_si512(_mm_castps_si128(direction.v)));
-  const __m512i swap = _mm512_slli_epi32(_mm512_srli_epi32(same, 31), 3);
-  return {_mm512_xor_si512(lanes, swap)};
+  const __m128i sign = _mm_srli_epi32(_mm_castps_si128(direction.v), 31);
+  alignas(16) int swap[4];
+  _mm_store_si128(reinterpret_cast<__m128i*>(swap), _mm_slli_epi32(sign, 3));
+  for (int axis = 0; axis < 3; ++axis)
+    order[axis].index = _mm512_xor_si512(lanes, _mm512_set1_epi32(swap[axis]));
 }
 template <int Axis>
 SIMD_FN Float16 Spread(Float8 a) {

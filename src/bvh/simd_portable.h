@@ -90,6 +90,21 @@ SIMD_FN Float4 Negate(Float4 a) {
   return Map(a, a, [](float x, float) { return -x; });
 }
 
+template <int A, int B, int C>
+SIMD_FN Float4 Shuffle(Float4 a) {
+  return {{a.v[A], a.v[B], a.v[C], a.v[C]}};
+}
+SIMD_FN std::uint32_t MaskLess(Float4 a, Float4 b) {
+  std::uint32_t mask = 0;
+  for (int i = 0; i < 3; ++i) mask |= std::uint32_t(a.v[i] < b.v[i]) << i;
+  return mask;
+}
+SIMD_FN std::uint32_t SignMask(Float4 a) {
+  std::uint32_t mask = 0;
+  for (int i = 0; i < 3; ++i) mask |= (kernel::floatBitsToUint(a.v[i]) >> 31) << i;
+  return mask;
+}
+
 SIMD_FN Float16 Load16(const float* p) { return LoadLanes<16>(p); }
 SIMD_FN Float16 Join(Float8 low, Float8 high) {
   Float16 r;
@@ -107,9 +122,9 @@ SIMD_FN Float8 HighHalf(Float16 a) { return Part<8>(a, 8); }
 struct HalfOrder {
   int first;
 };
-template <int Axis>
-SIMD_FN HalfOrder OrderHalves(Float4 direction) {
-  return {int(kernel::floatBitsToUint(direction.v[Axis]) >> 31) * 8};
+SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
+  for (int axis = 0; axis < 3; ++axis)
+    order[axis].first = int(kernel::floatBitsToUint(direction.v[axis]) >> 31) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   return Part<16>(LoadLanes<16>(p), order.first);
@@ -152,6 +167,30 @@ SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   std::uint32_t mask = 0;
   for (int i = 0; i < 8; ++i) mask |= std::uint32_t(a.v[i] <= b.v[i]) << i;
   return mask;
+}
+
+
+// Eight yes or no.
+struct Mask8 {
+  bool v[8];
+};
+SIMD_FN Float8 Where(Mask8 mask, Float8 yes, Float8 no) {
+  Float8 r;
+  for (int i = 0; i < 8; ++i) r.v[i] = mask.v[i] ? yes.v[i] : no.v[i];
+  return r;
+}
+// By bits 30 and 31 of ids (PairBlock::id) how far triangles are turned.
+struct Turns {
+  Mask8 once;
+  Mask8 twice;
+};
+SIMD_FN Turns LoadTurns(const std::uint32_t* id) {
+  Turns turns;
+  for (int i = 0; i < 8; ++i) {
+    turns.once.v[i] = (id[i] >> 30 & 1) != 0;
+    turns.twice.v[i] = (id[i] >> 31 & 1) != 0;
+  }
+  return turns;
 }
 
 }  // namespace snell::bvh::SNELL_ISA

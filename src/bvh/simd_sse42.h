@@ -33,6 +33,16 @@ SIMD_FN Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
 SIMD_FN Float4 WithLast(Float4 a, float last) {
   return {_mm_insert_ps(a.v, _mm_set_ss(last), 0x30)};
 }
+// Lanes A, B and C of a, and C once more.
+template <int A, int B, int C>
+SIMD_FN Float4 Shuffle(Float4 a) {
+  return {_mm_shuffle_ps(a.v, a.v, A | B << 2 | C << 4 | C << 6)};
+}
+// Of the first three lanes.
+SIMD_FN std::uint32_t MaskLess(Float4 a, Float4 b) {
+  return std::uint32_t(_mm_movemask_ps(_mm_cmplt_ps(a.v, b.v))) & 7;
+}
+SIMD_FN std::uint32_t SignMask(Float4 a) { return std::uint32_t(_mm_movemask_ps(a.v)) & 7; }
 SIMD_FN Float4 Negate(Float4 a) { return {_mm_xor_ps(_mm_set1_ps(-0.0f), a.v)}; }
 
 #ifndef SNELL_SIMD_NATIVE8
@@ -87,6 +97,27 @@ SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
          std::uint32_t(_mm_movemask_ps(_mm_cmple_ps(a.high, b.high))) << 4;
 }
 
+struct Mask8 {
+  __m128 low;
+  __m128 high;
+};
+SIMD_FN Float8 Where(Mask8 mask, Float8 yes, Float8 no) {
+  return {_mm_blendv_ps(no.low, yes.low, mask.low), _mm_blendv_ps(no.high, yes.high, mask.high)};
+}
+struct Turns {
+  Mask8 once;
+  Mask8 twice;
+};
+SIMD_FN Turns LoadTurns(const std::uint32_t* id) {
+  const __m128i* ids = reinterpret_cast<const __m128i*>(id);
+  const __m128i low = _mm_load_si128(ids), high = _mm_load_si128(ids + 1);
+  return {{_mm_castsi128_ps(_mm_slli_epi32(low, 1)), _mm_castsi128_ps(_mm_slli_epi32(high, 1))},
+          {_mm_castsi128_ps(low), _mm_castsi128_ps(high)}};
+}
+SIMD_FN Float8 operator/(Float8 a, Float8 b) {
+  return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+}
+
 struct Float16 {
   __m128 v[4];
 };
@@ -101,10 +132,11 @@ SIMD_FN Float8 HighHalf(Float16 a) { return {a.v[2], a.v[3]}; }
 struct HalfOrder {
   std::size_t first;
 };
-template <int Axis>
-SIMD_FN HalfOrder OrderHalves(Float4 direction) {
-  const std::uint32_t bits = std::uint32_t(_mm_extract_epi32(_mm_castps_si128(direction.v), Axis));
-  return {std::size_t(bits >> 31) * 8};
+SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
+  const std::size_t signs = SignMask(direction);
+  order[0].first = (signs & 1) * 8;
+  order[1].first = (signs >> 1 & 1) * 8;
+  order[2].first = (signs >> 2 & 1) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   const float* low = p + order.first;

@@ -16,7 +16,15 @@ using kernel::Hit;
 using kernel::Ray;
 using kernel::vec3;
 
-SIMD_FN Float4 Vector(vec3 v) { return Set4(v.x, v.y, v.z, 0.0f); }
+// The first three lanes are a ray's origin and direction.
+SIMD_FN Float4 OriginOf(const Ray& ray) { return Load4(&ray.o.x); }
+SIMD_FN Float4 DirectionOf(const Ray& ray) { return Shuffle<1, 2, 3>(Load4(&ray.o.z)); }
+SIMD_FN Ray RayOf(Float4 o, Float4 d) {
+  float start[4], direction[4];
+  Store4(start, o);
+  Store4(direction, d);
+  return {vec3(start[0], start[1], start[2]), vec3(direction[0], direction[1], direction[2])};
+}
 
 }  // namespace snell::bvh::SNELL_ISA
 
@@ -69,22 +77,24 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
                                 const BlockRay& prepared, std::uint32_t instance, bool choosy,
                                 std::uint32_t mask, Best& best) {
   const PairBlock& block = view.blocks[FirstOf(leaf)];
-  BlockTest test;
-  IntersectBlock(block, prepared, best.t, test);
-  if (test.candidates == 0) return false;
-  if (AnyHit && !choosy && test.certain != 0) return true;
-  std::uint32_t lanes = test.candidates;
-  while (lanes != 0) {
+  Float8 distances;
+  std::uint32_t certain;
+  std::uint32_t lanes = IntersectBlock(block, prepared, best.t, distances, certain);
+  if (lanes == 0) return false;
+  if (AnyHit && !choosy && certain != 0) return true;
+  alignas(32) float distance[2 * BlockWidth];
+  Store8(distance, distances);
+  do {
     const std::uint32_t lane = std::uint32_t(__builtin_ctz(lanes));
     lanes &= lanes - 1;
-    const std::uint32_t id = block.id[lane];
-    const float t = CandidateT(block, lane, TurnOf(id), test, ray, best.t);
-    const std::uint32_t triangle = TriangleOf(id);
+    const float t = distance[lane];
+    const std::uint32_t triangle = TriangleOf(block.id[lane]);
     if (!best.Accepts(t, instance, triangle)) continue;
+    if ((certain >> lane & 1) == 0 && !Confirm(block, lane, ray)) continue;
     if (choosy && !Counts(view, {t, triangle, instance}, mask, best.world)) continue;
     best.Take(t, instance, triangle);
     if (AnyHit) return true;
-  }
+  } while (lanes != 0);
   return false;
 }
 
@@ -114,15 +124,13 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
 template <bool AnyHit, bool Plain>
 SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4 o, Float4 d,
                       std::uint32_t instance, std::uint32_t mask, Best& best) {
-  if (tree.root == None) return false;
   // Objects of instances were asked for their masks on the way in
   const bool isWorld = instance == None;
   const bool seesTriangles = Plain || !isWorld || (tree.anyMask & mask) != 0;
   const bool choosy =
       !Plain && ((isWorld && (tree.commonMask & mask) == 0) || view.filter.accepts != nullptr);
   const NodeRay nodeRay = PrepareForNodes(o, d, tree);
-  BlockRay blockRay;
-  if (seesTriangles) blockRay = PrepareForBlocks(o, d, tree);
+  const BlockRay blockRay = PrepareForBlocks(ray, o, d);
   Float16 limits = Join(Set8(0.0f), Set8(-best.t));
   Waiting stack[StackSize];
   Waiting* top = stack;
@@ -169,7 +177,7 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
 template <bool AnyHit>
 SIMD_CALL bool TraverseChoosily(const View& view, const Tree& tree, const Ray& ray,
                                 std::uint32_t instance, std::uint32_t mask, Best& best) {
-  return Traverse<AnyHit, false>(view, tree, ray, Vector(ray.o), Vector(ray.d), instance, mask,
+  return Traverse<AnyHit, false>(view, tree, ray, OriginOf(ray), DirectionOf(ray), instance, mask,
                                  best);
 }
 
@@ -185,11 +193,7 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
     const vec3 from = ray.o - vec3(map[9], map[10], map[11]);
     const Float4 o = (x * Set4(from.x) + y * Set4(from.y)) + z * Set4(from.z);
     const Float4 d = (x * Set4(ray.d.x) + y * Set4(ray.d.y)) + z * Set4(ray.d.z);
-    float start[4], direction[4];
-    Store4(start, o);
-    Store4(direction, d);
-    const Ray local = {vec3(start[0], start[1], start[2]),
-                       vec3(direction[0], direction[1], direction[2])};
+    const Ray local = RayOf(o, d);
     const Tree& tree = view.trees[placed.tree];
     if (view.filter.accepts == nullptr
             ? Traverse<AnyHit, true>(view, tree, local, o, d, placed.instance, mask, best)
@@ -199,31 +203,36 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
   return false;
 }
 
-// Whether the world's tree holds triangles alone and rays of this mask see all of them.
-SIMD_FN bool IsPlain(const View& view, std::uint32_t mask) {
-  return view.plainTree && view.filter.accepts == nullptr && (view.trees[0].commonMask & mask) != 0;
-}
-
+// The world, unless the short way will do.
 template <bool AnyHit>
-SIMD_FN bool TraverseWorld(const View& view, const Ray& ray, std::uint32_t mask, Best& best) {
-  if (view.unboundedCount > 0 &&
-      IntersectShapes<AnyHit>(view, view.unbounded, view.unboundedCount, ray, mask, best))
+SIMD_CALL bool TraverseWorldChoosily(const View& view, const Ray& ray, std::uint32_t mask,
+                                     Best& best) {
+  if (IntersectShapes<AnyHit>(view, view.unbounded, view.unboundedCount, ray, mask, best))
     return true;
-  const Tree& tree = view.trees[0];
-  if (IsPlain(view, mask))
-    return Traverse<AnyHit, true>(view, tree, ray, Vector(ray.o), Vector(ray.d), None, mask, best);
-  return (view.treeMask & mask) != 0 && TraverseChoosily<AnyHit>(view, tree, ray, None, mask, best);
+  return (view.treeMask & mask) != 0 &&
+         TraverseChoosily<AnyHit>(view, view.trees[0], ray, None, mask, best);
 }
 
 static Intersection Closest(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
+  if ((view.plainMask & mask) != 0) {
+    Best best{ray, tMax, None, None};
+    Traverse<false, true>(view, view.trees[0], ray, OriginOf(ray), DirectionOf(ray), None, mask,
+                          best);
+    return {best.t, best.primitive, None};
+  }
   Best best{ray, tMax, None, None};
-  TraverseWorld<false>(view, ray, mask, best);
+  TraverseWorldChoosily<false>(view, ray, mask, best);
   return {best.t, best.primitive, best.instance};
 }
 
 static bool Any(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
+  if ((view.plainMask & mask) != 0) {
+    Best best{ray, tMax, None, None};
+    return Traverse<true, true>(view, view.trees[0], ray, OriginOf(ray), DirectionOf(ray), None,
+                                mask, best);
+  }
   Best best{ray, tMax, None, None};
-  return TraverseWorld<true>(view, ray, mask, best);
+  return TraverseWorldChoosily<true>(view, ray, mask, best);
 }
 
 }  // namespace snell::bvh::SNELL_ISA

@@ -25,9 +25,9 @@ struct Walk {
 
 SIMD_FN void Begin(const View& view, const Query& query, std::size_t index, Walk& walk) {
   const Tree& tree = view.trees[0];
-  const Float4 o = Vector(query.ray.o), d = Vector(query.ray.d);
+  const Float4 o = OriginOf(query.ray), d = DirectionOf(query.ray);
   walk.nodeRay = PrepareForNodes(o, d, tree);
-  walk.blockRay = PrepareForBlocks(o, d, tree);
+  walk.blockRay = PrepareForBlocks(query.ray, o, d);
   walk.limits = Join(Set8(0.0f), Set8(-query.tMax));
   walk.ray = query.ray;
   walk.t = query.tMax;
@@ -114,7 +114,7 @@ SIMD_FN void WalkMany(const View& view, const Query* queries, std::size_t count,
 
 // Only plain trees are walked together; other rays go one after another.
 SIMD_FN bool MayWalk(const View& view, std::uint32_t mask) {
-  return IsPlain(view, mask) && view.unboundedCount == 0 && view.trees[0].root != None;
+  return (view.plainMask & mask) != 0;
 }
 
 static void ClosestMany(const View& view, const Query* queries, std::size_t count,

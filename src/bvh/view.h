@@ -38,7 +38,9 @@ struct View {
   const Tree* trees = nullptr;                // the first is the world's
   const std::uint32_t* unbounded = nullptr;   // shapes without bounds, which every ray tests
   std::uint32_t unboundedCount = 0;
-  bool plainTree = false;      // the world's tree holds triangles alone
+  // Rays of these masks may take the short way: there are triangles alone, they see all of them, and every
+  // hit counts
+  std::uint32_t plainMask = 0;
   std::uint32_t treeMask = 0;  // of all objects that the world's tree holds, together
 
   // The caller's geometry
