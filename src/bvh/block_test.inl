@@ -12,12 +12,12 @@ struct BlockRay {
   std::size_t kx;
   std::size_t ky;
   std::size_t kz;
-  float speed;  // along kz
-  // The origin times −1 along kx, ky and kz
-  Float16 minusX;
-  Float16 minusY;
-  Float16 minusZ;
-  float shear[4];  // the direction over its component kz, and that component's reciprocal
+  const float* direction;
+  // The origin along kx, ky and kz
+  Float16 x;
+  Float16 y;
+  Float16 z;
+  float shear[4];  // the direction over its component kz, and that component's reciprocal times −1
 };
 
 // kx, ky and kz of kernel::Shear: row 8·s + c is for directions (x, y, z) whose signs are the bits of s and
@@ -39,8 +39,8 @@ constexpr ShearAxes MakeShearAxes() {
 }
 static constexpr ShearAxes Axes = MakeShearAxes();
 
-// `o` and `d` are those of the ray. Without branches, which random directions would make unpredictable.
-SIMD_FN BlockRay PrepareForBlocks(const Ray& ray, Float4 o, Float4 d) {
+// `d` is that of the ray. Without branches, which random directions would make unpredictable.
+SIMD_FN BlockRay PrepareForBlocks(const Ray& ray, Float4 d) {
   const Float4 size = Abs(d);
   const std::uint32_t larger = MaskLess(Shuffle<1, 2, 2>(size), Shuffle<0, 0, 1>(size));
   const std::uint8_t* row = Axes.row[SignMask(d) * 8 + larger];
@@ -48,14 +48,12 @@ SIMD_FN BlockRay PrepareForBlocks(const Ray& ray, Float4 o, Float4 d) {
   prepared.kx = row[0];
   prepared.ky = row[1];
   prepared.kz = row[2];
-  const float dz = (&ray.d.x)[prepared.kz];
-  Store4(prepared.shear, WithLast(d, 1.0f) / Set4(dz));
-  prepared.speed = kernel::abs(dz);
-  float minus[4];
-  Store4(minus, Negate(o));
-  prepared.minusX = Set16(minus[prepared.kx]);
-  prepared.minusY = Set16(minus[prepared.ky]);
-  prepared.minusZ = Set16(minus[prepared.kz]);
+  prepared.direction = &ray.d.x;
+  Store4(prepared.shear, WithLast(d, -1.0f) / Set4(prepared.direction[prepared.kz]));
+  const float* origin = &ray.o.x;
+  prepared.x = Set16(origin[prepared.kx]);
+  prepared.y = Set16(origin[prepared.ky]);
+  prepared.z = Set16(origin[prepared.kz]);
   return prepared;
 }
 
@@ -64,10 +62,10 @@ SIMD_FN BlockRay PrepareForBlocks(const Ray& ray, Float4 o, Float4 d) {
 // are any.
 SIMD_FN std::uint32_t IntersectBlock(const PairBlock& block, const BlockRay& ray, float tMax,
                                      Float8& t, std::uint32_t& certain) {
-  // Shear the corners
-  const Float16 cx = Load16(block.corner[ray.kx]) + ray.minusX;
-  const Float16 cy = Load16(block.corner[ray.ky]) + ray.minusY;
-  const Float16 cz = Load16(block.corner[ray.kz]) + ray.minusZ;
+  // Shear the corners; x, y and cz come out times −1, which no product of two of them feels
+  const Float16 cx = ray.x - Load16(block.corner[ray.kx]);
+  const Float16 cy = ray.y - Load16(block.corner[ray.ky]);
+  const Float16 cz = ray.z - Load16(block.corner[ray.kz]);
   const Float16 x = cx - Set16(ray.shear[ray.kx]) * cz;
   const Float16 y = cy - Set16(ray.shear[ray.ky]) * cz;
 
@@ -79,8 +77,9 @@ SIMD_FN std::uint32_t IntersectBlock(const PairBlock& block, const BlockRay& ray
   const Float8 w = Join(Quarter0(around), Negate(diagonal));
   const Float8 least = Min(u, Min(v, w));
   const Float8 most = Max(u, Max(v, w));
-  const Float8 zero = Set8(0.0f);
-  const std::uint32_t inside = MaskLessEqual(zero, least) | MaskLessEqual(most, zero);
+  // All of one sign, or some zero; a product that vanishes only makes for doubt
+  const Float8 zero = Set8(0.0f), product = least * most;
+  const std::uint32_t inside = MaskLessEqual(zero, product);
   if (inside == 0) return 0;
 
   // Interpolate the distances. The kernel sums up in the order of a triangle's own vertices, so what belongs
@@ -103,8 +102,8 @@ SIMD_FN std::uint32_t IntersectBlock(const PairBlock& block, const BlockRay& ray
   // that kernel::StartsOnPlane allows for: at most 24 Γ₆ m³ if no coordinate differs from the origin's by more
   // than m.
   const Float4 sizes = Load4(block.size);
-  const Float8 reached = t * Set8(ray.speed);
-  certain = candidates & (MaskLess(zero, least) | MaskLess(most, zero));
+  const Float8 reached = t * Abs(Set8(ray.direction[ray.kz]));
+  certain = candidates & MaskLess(zero, product);
   const std::uint32_t isFar = MaskLess(Join(sizes, sizes), reached);
   if ((certain & ~isFar) != 0) {
     const Float16 reach = Max(Abs(x), Abs(y)) + Abs(cz);

@@ -36,11 +36,12 @@ class Walker {
     constexpr float Inf = std::numeric_limits<float>::infinity();
     Visit(tree.root, {vec3(-Inf), vec3(Inf)}, 1, 0);
     for (const auto& [id, times] : census_.triangles) {
-      // The tree's reach must cover its vertices
+      // The tree's slack must cover its vertices
       const kernel::Triangle& t = geometry_.triangles[id];
       for (const std::uint32_t v : {t.v0, t.v1, t.v2}) {
         for (int axis = 0; axis < 3; ++axis) {
-          if (std::abs(geometry_.positions[v][axis]) > tree.reach[axis]) ++census_.faults;
+          if (kernel::Gamma(8.0f) * std::abs(geometry_.positions[v][axis]) > tree.slack[axis])
+            ++census_.faults;
         }
       }
     }

@@ -212,7 +212,7 @@ class Collapser {
       for (int i = 0; i < children.count; ++i) emit(i);
     }
 
-    // Put first what is likely to stop a shadow ray at little cost
+    // Put last what is likely to stop a shadow ray at little cost
     int order[Width];
     float worth[Width];
     float surface = 0;
@@ -224,7 +224,7 @@ class Collapser {
       surface += surfaces[i];
     }
     for (int i = 1; i < children.count; ++i) {
-      for (int j = i; j > 0 && worth[order[j - 1]] < worth[order[j]]; --j)
+      for (int j = i; j > 0 && worth[order[j - 1]] > worth[order[j]]; --j)
         std::swap(order[j - 1], order[j]);
     }
     WideNode& wide = arrays_.nodes[ref];

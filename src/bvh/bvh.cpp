@@ -13,9 +13,11 @@
 
 namespace snell::bvh {
 
-static void SetReach(Tree& tree, const Bounds& bounds) {
+static void SetSlack(Tree& tree, const Bounds& bounds) {
   for (int axis = 0; axis < 3; ++axis)
-    tree.reach[axis] = std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
+    tree.slack[axis] =
+        kernel::Gamma(8.0f) *
+        std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
 }
 
 Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
@@ -103,7 +105,7 @@ Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {
   BinaryTree binary = BuildBinaryTree(references);
   if (quality_ == BuildQuality::High) ReinsertSubtrees(binary, references);
   bounds = BoundsOf(binary[0].box);
-  SetReach(tree, bounds);
+  SetSlack(tree, bounds);
   tree.root = AppendWideTree(binary, references, geometry_, arrays_);
   return tree;
 }
@@ -138,7 +140,7 @@ void Bvh::Refit() {
     const std::size_t tree = i % trees_.size();
     if (trees_[tree].root == None) continue;
     bounds[tree] = RefitTree(trees_[tree].root, geometry_, bounds, arrays_);
-    SetReach(trees_[tree], bounds[tree]);
+    SetSlack(trees_[tree], bounds[tree]);
   }
 }
 

@@ -36,7 +36,9 @@ class Bvh {
   // The nearest hit at 0 < t ≤ tMax (in units of d's length) on an object whose mask shares a bit with
   // `mask`. Any number of threads may ask at once.
   Intersection Closest(const kernel::Ray& ray, float tMax, std::uint32_t mask = ~0u) const {
-    return traversal_->closest(view_, ray, tMax, mask);
+    Intersection found;
+    traversal_->closest(view_, ray, tMax, mask, found);
+    return found;
   }
   // Whether there is any such hit.
   bool Any(const kernel::Ray& ray, float tMax, std::uint32_t mask = ~0u) const {

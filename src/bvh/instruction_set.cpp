@@ -50,11 +50,12 @@ bool ProcessorRuns(InstructionSet set) {
     case InstructionSet::Portable: return true;
     case InstructionSet::Sse42: return __builtin_cpu_supports("sse4.2");
     case InstructionSet::Avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+             __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     case InstructionSet::Avx512:
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-             __builtin_cpu_supports("fma");
+             ProcessorRuns(InstructionSet::Avx2);
   }
 #endif
   return set == InstructionSet::Portable;

@@ -16,7 +16,8 @@ enum class InstructionSet { Portable, Sse42, Avx2, Avx512 };
 
 // The two queries of Bvh for one instruction set.
 struct Traversal {
-  Intersection (*closest)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask);
+  void (*closest)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask,
+                  Intersection& found);
   bool (*any)(const View&, const kernel::Ray&, float tMax, std::uint32_t mask);
   void (*closestMany)(const View&, const Query*, std::size_t count, std::uint32_t mask,
                       Intersection* found);

@@ -39,7 +39,7 @@ inline constexpr int Width = 8;
 // Bounds of eight children: planes[axis] are the eight lower bounds along the axis and then the eight upper
 // ones times −1, so that rays treat both alike. A missing child has inverted bounds, which only rays meet
 // whose numbers overflow or are none; for their sake it is the leaf NoChild. Children that are likely to stop
-// a shadow ray cheaply come first.
+// a shadow ray cheaply come last.
 struct alignas(64) WideNode {
   float planes[3][2 * Width];
   ChildRef child[Width];
@@ -74,9 +74,9 @@ struct alignas(64) PlacedTree {
   std::uint32_t unused;  // 0
 };
 
-// The root of one tree, and how far its bounds reach from the origin along each axis.
+// The root of one tree, and along each axis how far its bounds reach from the origin, times kernel::Gamma(8).
 struct Tree {
-  float reach[4] = {0, 0, 0, 0};
+  float slack[4] = {0, 0, 0, 0};
   ChildRef root = None;  // None: the tree is empty
   // The masks of the objects of the world's triangles: what all have in common, and what any has
   std::uint32_t commonMask = 0;

@@ -6,6 +6,8 @@
 // to planes (after Ize 2013, "Robust BVH ray traversal", but absolute, so that it costs nothing and allows
 // fused multiply-adds).
 
+#include <type_traits>
+
 namespace snell::bvh::SNELL_ISA {
 
 // A ray prepared for nodes: the distance to a plane is plane · scale + offset, where planes are those of
@@ -16,14 +18,14 @@ struct NodeRay {
   Float16 offset[3];
 };
 
-SIMD_FN NodeRay PrepareForNodes(Float4 o, Float4 direction, const Tree& tree) {
+SIMD_FN NodeRay PrepareForNodes(const Ray& r, Float4 o, Float4 d, const Tree& tree) {
   // Directions of zero become tiny ones, so that no NaN arises
-  const Float4 scale = Set4(1.0f) / Max(Abs(direction), Set4(1e-24f));
-  const Float4 start = FlipSign(o * scale, direction);
-  const Float4 error = (Abs(start) + Load4(tree.reach) * scale) * Set4(kernel::Gamma(8.0f));
+  const Float4 scale = Set4(1.0f) / Max(Abs(d), Set4(1e-24f));
+  const Float4 start = FlipSign(o * scale, d);
+  const Float4 error = MulAdd(Abs(o), Set4(kernel::Gamma(8.0f)), Load4(tree.slack)) * scale;
   const Float8 offset = Join(Negate(start + error), start - error);
   NodeRay ray;
-  OrderHalves(direction, ray.order);
+  OrderHalves(&r.d.x, ray.order);
   const Float8 scales = Join(scale, scale);
   ray.scale[0] = Spread<0>(scales);
   ray.scale[1] = Spread<1>(scales);
@@ -34,8 +36,10 @@ SIMD_FN NodeRay PrepareForNodes(Float4 o, Float4 direction, const Tree& tree) {
   return ray;
 }
 
-// Which children the ray meets, and at what distance. `limits`: eight times where the ray begins, and
-// eight times where it ends, times −1.
+// Eight times where a ray begins, and eight times where it ends, times −1.
+SIMD_FN Float16 Limits(float tMax) { return Join(Set8(0.0f), Set8(-tMax)); }
+
+// Which children the ray meets within its limits, and at what distance.
 SIMD_FN std::uint32_t IntersectNode(const WideNode& node, const NodeRay& ray, Float16 limits,
                                     Float8& distance) {
   const Float16 x = MulAdd(Load16(node.planes[0], ray.order[0]), ray.scale[0], ray.offset[0]);
@@ -52,26 +56,44 @@ using Waiting = std::uint64_t;
 SIMD_FN Waiting Wait(float distance, ChildRef ref) {
   return Waiting(kernel::floatBitsToUint(distance)) << 32 | ref;
 }
+SIMD_FN bool IsBeyond(Waiting entry, float t) {
+  return entry >> 32 > kernel::floatBitsToUint(t);
+}
+// For any hit distances do not matter.
+SIMD_FN bool IsBeyond(ChildRef, float) { return false; }
+template <bool AnyHit>
+using StackEntry = std::conditional_t<AnyHit, ChildRef, Waiting>;
 
-// Choose where to go on among `hits`, at least two; the others wait, nearest on top.
-SIMD_FN ChildRef Descend(const WideNode& node, std::uint32_t hits, Float8 distances,
-                         Waiting*& top) {
+#ifndef SNELL_SIMD_NATIVE16
+// Append the lanes `lanes` of `from` to what waits; the end afterwards. May write eight elements.
+SIMD_FN ChildRef* Append(ChildRef* to, const ChildRef* from, std::uint32_t lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) *to++ = from[__builtin_ctz(lanes)];
+  return to;
+}
+SIMD_FN Waiting* Append(Waiting* to, Float8 distances, const ChildRef* from, std::uint32_t lanes) {
   alignas(32) float distance[Width];
   Store8(distance, distances);
-  const auto next = [&] {
-    const std::uint32_t i = std::uint32_t(__builtin_ctz(hits));
-    hits &= hits - 1;
-    return Wait(distance[i], node.child[i]);
-  };
-  const Waiting first = next(), second = next();
-  Waiting nearest = first < second ? first : second;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const std::uint32_t i = std::uint32_t(__builtin_ctz(lanes));
+    *to++ = Wait(distance[i], from[i]);
+  }
+  return to;
+}
+#endif
+
+// Choose where to go on among `hits`, at least one; the others wait, nearest on top.
+SIMD_FN ChildRef GoOn(const WideNode& node, std::uint32_t hits, Float8 distances, Waiting*& top) {
+  if ((hits & (hits - 1)) == 0) return node.child[__builtin_ctz(hits)];
   Waiting* const base = top;
-  *top++ = first < second ? second : first;
-  while (hits != 0) {
-    const Waiting other = next();
-    Waiting entry = other < nearest ? nearest : other;
+  top = Append(top, distances, node.child, hits) - 1;
+  const Waiting first = base[0], second = base[1];
+  Waiting nearest = first < second ? first : second;
+  base[0] = first < second ? second : first;
+  for (Waiting* next = base + 2; next <= top; ++next) {
+    const Waiting other = *next;
+    const Waiting entry = other < nearest ? nearest : other;
     nearest = other < nearest ? other : nearest;
-    Waiting* place = top++;
+    Waiting* place = next - 1;
     while (place > base && place[-1] < entry) {
       *place = place[-1];
       --place;
@@ -82,13 +104,9 @@ SIMD_FN ChildRef Descend(const WideNode& node, std::uint32_t hits, Float8 distan
 }
 
 // For any hit the builder's order of the children counts, not the distance.
-SIMD_FN ChildRef DescendInOrder(const WideNode& node, std::uint32_t hits, Waiting*& top) {
-  for (;;) {
-    const std::uint32_t last = 31u - std::uint32_t(__builtin_clz(hits));
-    hits ^= 1u << last;
-    if (hits == 0) return node.child[last];
-    *top++ = node.child[last];
-  }
+SIMD_FN ChildRef GoOn(const WideNode& node, std::uint32_t hits, Float8, ChildRef*& top) {
+  top = Append(top, node.child, hits) - 1;
+  return node.child[31 - __builtin_clz(hits)];
 }
 
 }  // namespace snell::bvh::SNELL_ISA

@@ -42,7 +42,7 @@ struct Turns {
 };
 SIMD_FN Turns LoadTurns(const std::uint32_t* id) {
   const __m256i ids = _mm256_load_si256(reinterpret_cast<const __m256i*>(id));
-  return {{_mm256_test_epi32_mask(ids, _mm256_set1_epi32(1 << 30))}, {_mm256_movepi32_mask(ids)}};
+  return {{_mm256_movepi32_mask(_mm256_slli_epi32(ids, 1))}, {_mm256_movepi32_mask(ids)}};
 }
 SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
@@ -88,11 +88,9 @@ SIMD_FN Float8 HighHalf(Float16 a) { return {a.high}; }
 struct HalfOrder {
   std::size_t first;
 };
-SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
-  const std::size_t signs = SignMask(direction);
-  order[0].first = (signs & 1) * 8;
-  order[1].first = (signs >> 1 & 1) * 8;
-  order[2].first = (signs >> 2 & 1) * 8;
+SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
+  for (int axis = 0; axis < 3; ++axis)
+    order[axis].first = std::size_t(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   return {_mm256_load_ps(p + order.first), _mm256_load_ps(p + (order.first ^ 8))};

@@ -122,9 +122,9 @@ SIMD_FN Float8 HighHalf(Float16 a) { return Part<8>(a, 8); }
 struct HalfOrder {
   int first;
 };
-SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
+SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
   for (int axis = 0; axis < 3; ++axis)
-    order[axis].first = int(kernel::floatBitsToUint(direction.v[axis]) >> 31) * 8;
+    order[axis].first = int(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   return Part<16>(LoadLanes<16>(p), order.first);
@@ -135,6 +135,7 @@ SIMD_FN Float16 Spread(Float8 a) {
   return Join(Broadcast<8>(a.v[Axis]), Broadcast<8>(a.v[4 + Axis]));
 }
 // a·b + c; may or may not round between the two.
+SIMD_FN Float4 MulAdd(Float4 a, Float4 b, Float4 c) { return a * b + c; }
 SIMD_FN Float16 MulAdd(Float16 a, Float16 b, Float16 c) { return a * b + c; }
 SIMD_FN Float16 Set16(float x) { return Broadcast<16>(x); }
 SIMD_FN Float16 NextQuarters(Float16 a) { return Part<16>(a, 4); }

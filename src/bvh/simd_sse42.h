@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+#include "kernel/dialect.h"
+
 #define SIMD_FN static inline __attribute__((always_inline))
 #define SIMD_CALL static __attribute__((noinline))        // kept out of the loops
 #define SIMD_COLD static __attribute__((noinline, cold))  // seldom called
@@ -30,6 +32,11 @@ SIMD_FN Float4 FlipSign(Float4 a, Float4 sign) {
 SIMD_FN Float4 Max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 SIMD_FN Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
 SIMD_FN Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+#ifdef __FMA__
+SIMD_FN Float4 MulAdd(Float4 a, Float4 b, Float4 c) { return {_mm_fmadd_ps(a.v, b.v, c.v)}; }
+#else
+SIMD_FN Float4 MulAdd(Float4 a, Float4 b, Float4 c) { return a * b + c; }
+#endif
 SIMD_FN Float4 WithLast(Float4 a, float last) {
   return {_mm_insert_ps(a.v, _mm_set_ss(last), 0x30)};
 }
@@ -132,11 +139,9 @@ SIMD_FN Float8 HighHalf(Float16 a) { return {a.v[2], a.v[3]}; }
 struct HalfOrder {
   std::size_t first;
 };
-SIMD_FN void OrderHalves(Float4 direction, HalfOrder order[3]) {
-  const std::size_t signs = SignMask(direction);
-  order[0].first = (signs & 1) * 8;
-  order[1].first = (signs >> 1 & 1) * 8;
-  order[2].first = (signs >> 2 & 1) * 8;
+SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
+  for (int axis = 0; axis < 3; ++axis)
+    order[axis].first = std::size_t(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
 }
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   const float* low = p + order.first;

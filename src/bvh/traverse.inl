@@ -33,8 +33,9 @@ SIMD_FN Ray RayOf(Float4 o, Float4 d) {
 
 namespace snell::bvh::SNELL_ISA {
 
-// More than any tree needs: depth at most 80 (BuildBinaryTree), seven children waiting per level.
-inline constexpr int StackSize = 80 * (Width - 1) + 1;
+// More than any tree needs: depth at most 80 (BuildBinaryTree), seven children waiting per level,
+// and room for Append.
+inline constexpr int StackSize = 80 * (Width - 1) + 1 + Width;
 
 // The best hit so far. Order among equal t: smaller instance, then smaller primitive.
 struct Best {
@@ -71,7 +72,7 @@ SIMD_CALL bool Counts(const View& view, const Intersection& hit, std::uint32_t m
   return view.filter.accepts == nullptr || view.filter.accepts(view.filter.data, world, hit);
 }
 
-// Test a block. Returns true if `AnyHit` and something was hit.
+// Test a block. Returns true if something was hit.
 template <bool AnyHit>
 SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
                                 const BlockRay& prepared, std::uint32_t instance, bool choosy,
@@ -84,6 +85,7 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
   if (AnyHit && !choosy && certain != 0) return true;
   alignas(32) float distance[2 * BlockWidth];
   Store8(distance, distances);
+  bool found = false;
   do {
     const std::uint32_t lane = std::uint32_t(__builtin_ctz(lanes));
     lanes &= lanes - 1;
@@ -94,8 +96,9 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
     if (choosy && !Counts(view, {t, triangle, instance}, mask, best.world)) continue;
     best.Take(t, instance, triangle);
     if (AnyHit) return true;
+    found = true;
   } while (lanes != 0);
-  return false;
+  return found;
 }
 
 template <bool AnyHit>
@@ -129,11 +132,12 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
   const bool seesTriangles = Plain || !isWorld || (tree.anyMask & mask) != 0;
   const bool choosy =
       !Plain && ((isWorld && (tree.commonMask & mask) == 0) || view.filter.accepts != nullptr);
-  const NodeRay nodeRay = PrepareForNodes(o, d, tree);
-  const BlockRay blockRay = PrepareForBlocks(ray, o, d);
-  Float16 limits = Join(Set8(0.0f), Set8(-best.t));
-  Waiting stack[StackSize];
-  Waiting* top = stack;
+  const NodeRay nodeRay = PrepareForNodes(ray, o, d, tree);
+  const BlockRay blockRay = PrepareForBlocks(ray, d);
+  Float16 limits = Limits(best.t);
+  using Entry = StackEntry<AnyHit>;
+  Entry stack[StackSize];
+  Entry* top = stack;
   ChildRef current = tree.root;
   for (;;) {
     // Go down to a leaf
@@ -142,33 +146,32 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
       Float8 distances;
       const std::uint32_t hits = IntersectNode(node, nodeRay, limits, distances);
       if (hits == 0) break;
-      if ((hits & (hits - 1)) == 0) {
-        current = node.child[__builtin_ctz(hits)];
-      } else {
-        current = AnyHit ? DescendInOrder(node, hits, top) : Descend(node, hits, distances, top);
-      }
+      current = GoOn(node, hits, distances, top);
     }
 
     if (IsLeaf(current)) {
       if (Plain || KindOf(current) == LeafKind::Triangles) {
-        if (seesTriangles &&
-            IntersectTriangles<AnyHit>(view, current, ray, blockRay, instance, choosy, mask, best))
-          return true;
-      } else if (KindOf(current) == LeafKind::Shapes) {
-        if (IntersectShapes<AnyHit>(view, view.leafShapes + FirstOf(current), CountOf(current), ray,
-                                    mask, best))
-          return true;
-      } else if (IntersectInstances<AnyHit>(view, current, ray, mask, best)) {
-        return true;
+        if (seesTriangles && IntersectTriangles<AnyHit>(view, current, ray, blockRay, instance,
+                                                        choosy, mask, best)) {
+          if (AnyHit) return true;
+          limits = Limits(best.t);
+        }
+      } else {
+        const bool hit =
+            KindOf(current) == LeafKind::Shapes
+                ? IntersectShapes<AnyHit>(view, view.leafShapes + FirstOf(current),
+                                          CountOf(current), ray, mask, best)
+                : IntersectInstances<AnyHit>(view, current, ray, mask, best);
+        if (AnyHit && hit) return true;
+        limits = Limits(best.t);
       }
-      if (!AnyHit) limits = Join(Set8(0.0f), Set8(-best.t));
     }
 
     // Take the next one that can still hold a nearer hit
     do {
       if (top == stack) return false;
       --top;
-    } while (!AnyHit && *top >> 32 > kernel::floatBitsToUint(best.t));
+    } while (IsBeyond(*top, best.t));
     current = ChildRef(*top);
   }
 }
@@ -213,16 +216,18 @@ SIMD_CALL bool TraverseWorldChoosily(const View& view, const Ray& ray, std::uint
          TraverseChoosily<AnyHit>(view, view.trees[0], ray, None, mask, best);
 }
 
-static Intersection Closest(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {
+static void Closest(const View& view, const Ray& ray, float tMax, std::uint32_t mask,
+                    Intersection& found) {
   if ((view.plainMask & mask) != 0) {
     Best best{ray, tMax, None, None};
     Traverse<false, true>(view, view.trees[0], ray, OriginOf(ray), DirectionOf(ray), None, mask,
                           best);
-    return {best.t, best.primitive, None};
+    found = {best.t, best.primitive, None};
+  } else {
+    Best best{ray, tMax, None, None};
+    TraverseWorldChoosily<false>(view, ray, mask, best);
+    found = {best.t, best.primitive, best.instance};
   }
-  Best best{ray, tMax, None, None};
-  TraverseWorldChoosily<false>(view, ray, mask, best);
-  return {best.t, best.primitive, best.instance};
 }
 
 static bool Any(const View& view, const Ray& ray, float tMax, std::uint32_t mask) {

@@ -10,7 +10,9 @@ namespace snell::bvh::SNELL_ISA {
 inline constexpr int RaysUnderWay = 8;
 
 // A ray under way in a plain world.
+template <bool AnyHit>
 struct Walk {
+  using Entry = StackEntry<AnyHit>;
   NodeRay nodeRay;
   BlockRay blockRay;
   Float16 limits;
@@ -19,16 +21,17 @@ struct Walk {
   std::uint32_t primitive;
   std::size_t query;
   ChildRef current;
-  Waiting* top;
-  Waiting stack[StackSize];
+  Entry* top;
+  Entry stack[StackSize];
 };
 
-SIMD_FN void Begin(const View& view, const Query& query, std::size_t index, Walk& walk) {
+template <bool AnyHit>
+SIMD_FN void Begin(const View& view, const Query& query, std::size_t index, Walk<AnyHit>& walk) {
   const Tree& tree = view.trees[0];
   const Float4 o = OriginOf(query.ray), d = DirectionOf(query.ray);
-  walk.nodeRay = PrepareForNodes(o, d, tree);
-  walk.blockRay = PrepareForBlocks(query.ray, o, d);
-  walk.limits = Join(Set8(0.0f), Set8(-query.tMax));
+  walk.nodeRay = PrepareForNodes(query.ray, o, d, tree);
+  walk.blockRay = PrepareForBlocks(query.ray, d);
+  walk.limits = Limits(query.tMax);
   walk.ray = query.ray;
   walk.t = query.tMax;
   walk.primitive = None;
@@ -45,7 +48,7 @@ SIMD_FN void Fetch(const View& view, ChildRef ref) {
 
 // One node or block. Returns false if the ray has come to its end.
 template <bool AnyHit>
-SIMD_FN bool Step(const View& view, std::uint32_t mask, Walk& walk) {
+SIMD_FN bool Step(const View& view, std::uint32_t mask, Walk<AnyHit>& walk) {
   bool descends = false;
   if (IsLeaf(walk.current)) {
     Best best{walk.ray, walk.t, None, walk.primitive};
@@ -57,23 +60,21 @@ SIMD_FN bool Step(const View& view, std::uint32_t mask, Walk& walk) {
     }
     walk.t = best.t;
     walk.primitive = best.primitive;
-    walk.limits = Join(Set8(0.0f), Set8(-best.t));
+    walk.limits = Limits(best.t);
   } else {
     const WideNode& node = view.nodes[walk.current];
     Float8 distances;
     const std::uint32_t hits = IntersectNode(node, walk.nodeRay, walk.limits, distances);
     if (hits != 0) {
       descends = true;
-      walk.current = (hits & (hits - 1)) == 0 ? node.child[__builtin_ctz(hits)]
-                     : AnyHit                 ? DescendInOrder(node, hits, walk.top)
-                                              : Descend(node, hits, distances, walk.top);
+      walk.current = GoOn(node, hits, distances, walk.top);
     }
   }
   if (!descends) {
     do {
       if (walk.top == walk.stack) return false;
       --walk.top;
-    } while (!AnyHit && *walk.top >> 32 > kernel::floatBitsToUint(walk.t));
+    } while (IsBeyond(*walk.top, walk.t));
     walk.current = ChildRef(*walk.top);
   }
   Fetch(view, walk.current);
@@ -84,7 +85,7 @@ SIMD_FN bool Step(const View& view, std::uint32_t mask, Walk& walk) {
 template <bool AnyHit, class Finish>
 SIMD_FN void WalkMany(const View& view, const Query* queries, std::size_t count, std::uint32_t mask,
                       const Finish& finish) {
-  Walk walks[RaysUnderWay];
+  Walk<AnyHit> walks[RaysUnderWay];
   std::size_t next = 0;
   int active = 0;
   while (active < RaysUnderWay && next < count) {
@@ -121,10 +122,10 @@ static void ClosestMany(const View& view, const Query* queries, std::size_t coun
                         std::uint32_t mask, Intersection* found) {
   if (!MayWalk(view, mask)) {
     for (std::size_t i = 0; i < count; ++i)
-      found[i] = Closest(view, queries[i].ray, queries[i].tMax, mask);
+      Closest(view, queries[i].ray, queries[i].tMax, mask, found[i]);
     return;
   }
-  WalkMany<false>(view, queries, count, mask, [&](const Walk& walk) {
+  WalkMany<false>(view, queries, count, mask, [&](const Walk<false>& walk) {
     found[walk.query] = {walk.t, walk.primitive, None};
   });
 }
@@ -137,7 +138,7 @@ static void AnyMany(const View& view, const Query* queries, std::size_t count, s
     return;
   }
   WalkMany<true>(view, queries, count, mask,
-                 [&](const Walk& walk) { hit[walk.query] = walk.primitive != None; });
+                 [&](const Walk<true>& walk) { hit[walk.query] = walk.primitive != None; });
 }
 
 }  // namespace snell::bvh::SNELL_ISA
