@@ -67,4 +67,23 @@ float PackPair(PairBlock& block, std::uint32_t lane, std::uint32_t first, std::u
                  kernel::Length(kernel::Cross(p[2] - p[0], p[3] - p[0])));
 }
 
+std::vector<Bounds> OuterBoxes(ChildRef root, const Bounds& bounds,
+                               const HugeVector<WideNode>& nodes) {
+  if (IsLeaf(root)) return {bounds};
+  std::vector<Bounds> boxes;
+  for (int i = 0; i < Width; ++i) {
+    const WideNode& node = nodes[root];
+    if (node.child[i] == NoChild) continue;
+    if (IsLeaf(node.child[i])) {
+      boxes.push_back(ChildBounds(node, i));
+      continue;
+    }
+    const WideNode& below = nodes[node.child[i]];
+    for (int j = 0; j < Width; ++j) {
+      if (below.child[j] != NoChild) boxes.push_back(ChildBounds(below, j));
+    }
+  }
+  return boxes;
+}
+
 }  // namespace snell::bvh

@@ -25,4 +25,15 @@ inline void SetChildBox(WideNode& node, int child, const Box& box) {
   }
 }
 
+// The box of a child; empty if it is missing.
+inline Bounds ChildBounds(const WideNode& node, int child) {
+  const auto lower = [&](int axis) { return node.planes[axis][child]; };
+  const auto upper = [&](int axis) { return -node.planes[axis][Width + child]; };
+  return {{lower(0), lower(1), lower(2)}, {upper(0), upper(1), upper(2)}};
+}
+
+// At most 64 boxes that hold all of a tree whose bounds are given.
+std::vector<Bounds> OuterBoxes(ChildRef root, const Bounds& bounds,
+                               const HugeVector<WideNode>& nodes);
+
 }  // namespace snell::bvh

@@ -29,12 +29,27 @@ static Bounds Widened(Bounds bounds) {
 }
 
 Bounds TransformedBounds(const Transform& m, const Bounds& local) {
-  const vec3 center = local.Center();
-  const vec3 half = local.Size() * 0.5f;
-  const vec3 worldCenter = kernel::ToWorldPoint(m, center);
-  const vec3 worldHalf = Abs(m.x) * half.x + Abs(m.y) * half.y + Abs(m.z) * half.z;
-  const vec3 margin = kernel::ToWorldPointError(m, Abs(center) + half, vec3(0.0f), worldCenter);
-  return Widened({worldCenter - worldHalf - margin, worldCenter + worldHalf + margin});
+  return TransformedBounds(m, {&local, 1});
+}
+
+Bounds TransformedBounds(const Transform& m, std::span<const Bounds> parts) {
+  const auto vector = [](vec3 v) { return Vec4{v.x, v.y, v.z, 0}; };
+  const Vec4 x = vector(m.x), y = vector(m.y), z = vector(m.z), origin = vector(m.origin);
+  const Vec4 sizeX = vector(Abs(m.x)), sizeY = vector(Abs(m.y)), sizeZ = vector(Abs(m.z));
+  Box whole, world;
+  for (const Bounds& part : parts) {
+    const vec3 center = part.Center(), half = part.Size() * 0.5f;
+    const Vec4 worldCenter = x * center.x + y * center.y + z * center.z + origin;
+    const Vec4 worldHalf = sizeX * half.x + sizeY * half.y + sizeZ * half.z;
+    world.Extend(worldCenter - worldHalf);
+    world.Extend(worldCenter + worldHalf);
+    whole.Extend(BoxOf(part));
+  }
+  const Bounds local = BoundsOf(whole), bounds = BoundsOf(world);
+  if (local.Empty()) return bounds;
+  const vec3 reach = Abs(local.Center()) + local.Size() * 0.5f;
+  const vec3 margin = kernel::ToWorldPointError(m, reach, vec3(0.0f), bounds.Center());
+  return Widened({bounds.lower - margin, bounds.upper + margin});
 }
 
 // The box of the ellipse with the half-axes a and b around the origin.

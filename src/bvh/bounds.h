@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Axis-aligned boxes, and the boxes of the primitives.
+// Axis-aligned boxes, as points and as vectors, and the boxes of the primitives.
 #pragma once
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "bvh/geometry.h"
 #include "kernel/transform.h"
@@ -42,6 +43,42 @@ struct Bounds {
   }
 };
 
+// x, y, z and a lane to spare.
+using Vec4 = float __attribute__((vector_size(16)));
+
+inline Vec4 Min(Vec4 a, Vec4 b) { return a < b ? a : b; }
+inline Vec4 Max(Vec4 a, Vec4 b) { return a > b ? a : b; }
+
+// Empty until extended. What the fourth lanes hold does not matter.
+struct Box {
+  Vec4 lower = Vec4{} + std::numeric_limits<float>::infinity();
+  Vec4 upper = Vec4{} - std::numeric_limits<float>::infinity();
+
+  void Extend(const Box& box) {
+    lower = Min(lower, box.lower);
+    upper = Max(upper, box.upper);
+  }
+  void Extend(Vec4 p) {
+    lower = Min(lower, p);
+    upper = Max(upper, p);
+  }
+  // Half the surface area.
+  float HalfArea() const {
+    const Vec4 s = upper - lower;
+    return s[0] * (s[1] + s[2]) + s[1] * s[2];
+  }
+};
+
+inline Box BoxOf(const Bounds& bounds) {
+  Box box;
+  box.lower = Vec4{bounds.lower.x, bounds.lower.y, bounds.lower.z, 0};
+  box.upper = Vec4{bounds.upper.x, bounds.upper.y, bounds.upper.z, 0};
+  return box;
+}
+inline Bounds BoundsOf(const Box& box) {
+  return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
+}
+
 // Not finite if a vertex is not.
 Bounds TriangleBounds(const Geometry& geometry, std::uint32_t triangle);
 
@@ -50,5 +87,7 @@ Bounds ShapeBounds(const kernel::Shape& shape);
 
 // The box of a box after an affine map, wide enough for rounding.
 Bounds TransformedBounds(const kernel::Transform& transform, const Bounds& local);
+// The same for several boxes together, which is tighter than the box of the box around them.
+Bounds TransformedBounds(const kernel::Transform& transform, std::span<const Bounds> parts);
 
 }  // namespace snell::bvh

@@ -2,10 +2,12 @@
 #include "bvh/bvh.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <map>
 #include <utility>
 
+#include "bvh/blocks.h"
 #include "bvh/bounds.h"
 #include "bvh/refit.h"
 #include "bvh/reinsert.h"
@@ -28,15 +30,14 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
 
   // Build one tree per mesh that instances place
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> treeOfMesh;
-  std::vector<Bounds> treeBounds(1);
+  std::vector<std::vector<Bounds>> treeBoxes(1);
   for (kernel::Instance& instance : geometry.instances) {
     const auto [known, isNew] = treeOfMesh.try_emplace(
         {instance.firstTriangle, instance.triangleCount}, std::uint32_t(trees_.size()));
     if (isNew) {
       HugeVector<PrimitiveRef> references =
           PairTriangles(geometry, instance.firstTriangle, instance.triangleCount, dropped_);
-      treeBounds.emplace_back();
-      trees_.push_back(BuildTree(references, treeBounds.back()));
+      trees_.push_back(BuildTree(references, treeBoxes.emplace_back()));
     }
     instance.root = known->second;
   }
@@ -53,11 +54,15 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
       unbounded_.push_back(i);
     }
   }
+  std::vector<Bounds> instanceBounds(geometry.instances.size());
+  tbb::parallel_for(std::size_t(0), instanceBounds.size(), [&](std::size_t i) {
+    const kernel::Instance& instance = geometry.instances[i];
+    instanceBounds[i] = TransformedBounds(instance.toWorld, treeBoxes[instance.root]);
+  });
   for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
     const kernel::Instance& instance = geometry.instances[i];
-    const Bounds& local = treeBounds[instance.root];
-    if (local.Empty()) continue;
-    const Bounds bounds = TransformedBounds(instance.toWorld, local);
+    const Bounds& bounds = instanceBounds[i];
+    if (treeBoxes[instance.root].empty()) continue;
     if (bounds.Finite()) {
       references.emplace_back(BoxOf(bounds), LeafKind::Instances, i);
       view_.treeMask |= MaskOf(instance.object);
@@ -65,7 +70,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
       ++dropped_;
     }
   }
-  trees_[0] = BuildTree(references, treeBounds[0]);
+  trees_[0] = BuildTree(references, treeBoxes[0]);
   FindTriangleMasks();
   arrays_.nodes.shrink_to_fit();
   arrays_.blocks.shrink_to_fit();
@@ -99,14 +104,15 @@ void Bvh::FindPlainMask() {
   view_.plainMask = plain ? trees_[0].commonMask : 0;
 }
 
-Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds) {
+Tree Bvh::BuildTree(HugeVector<PrimitiveRef>& references, std::vector<Bounds>& boxes) {
   Tree tree;
   if (references.empty()) return tree;
   BinaryTree binary = BuildBinaryTree(references);
   if (quality_ == BuildQuality::High) ReinsertSubtrees(binary, references);
-  bounds = BoundsOf(binary[0].box);
+  const Bounds bounds = BoundsOf(binary[0].box);
   SetSlack(tree, bounds);
   tree.root = AppendWideTree(binary, references, geometry_, arrays_);
+  boxes = OuterBoxes(tree.root, bounds, arrays_.nodes);
   return tree;
 }
 
@@ -134,13 +140,14 @@ void Bvh::FindTriangleMasks() {
 }
 
 void Bvh::Refit() {
-  std::vector<Bounds> bounds(trees_.size());
+  std::vector<std::vector<Bounds>> boxes(trees_.size());
   for (std::size_t i = 1; i <= trees_.size(); ++i) {
     // The world comes last, since it holds the others' bounds
     const std::size_t tree = i % trees_.size();
     if (trees_[tree].root == None) continue;
-    bounds[tree] = RefitTree(trees_[tree].root, geometry_, bounds, arrays_);
-    SetSlack(trees_[tree], bounds[tree]);
+    const Bounds bounds = RefitTree(trees_[tree].root, geometry_, boxes, arrays_);
+    SetSlack(trees_[tree], bounds);
+    boxes[tree] = OuterBoxes(trees_[tree].root, bounds, arrays_.nodes);
   }
 }
 

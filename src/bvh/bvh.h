@@ -79,8 +79,8 @@ class Bvh {
   const View& view() const { return view_; }
 
  private:
-  // Also tells the tree's bounds.
-  Tree BuildTree(HugeVector<PrimitiveRef>& references, Bounds& bounds);
+  // Also tells the tree's OuterBoxes.
+  Tree BuildTree(HugeVector<PrimitiveRef>& references, std::vector<Bounds>& boxes);
   std::uint32_t MaskOf(std::uint32_t object) const;
   void FindTriangleMasks();
   void FindPlainMask();

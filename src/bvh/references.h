@@ -6,49 +6,12 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 
 #include "bvh/bounds.h"
 #include "bvh/huge_pages.h"
 #include "bvh/node.h"
 
 namespace snell::bvh {
-
-// x, y, z and a lane to spare.
-using Vec4 = float __attribute__((vector_size(16)));
-
-inline Vec4 Min(Vec4 a, Vec4 b) { return a < b ? a : b; }
-inline Vec4 Max(Vec4 a, Vec4 b) { return a > b ? a : b; }
-
-// Empty until extended. What the fourth lanes hold does not matter.
-struct Box {
-  Vec4 lower = Vec4{} + std::numeric_limits<float>::infinity();
-  Vec4 upper = Vec4{} - std::numeric_limits<float>::infinity();
-
-  void Extend(const Box& box) {
-    lower = Min(lower, box.lower);
-    upper = Max(upper, box.upper);
-  }
-  void Extend(Vec4 p) {
-    lower = Min(lower, p);
-    upper = Max(upper, p);
-  }
-  // Half the surface area.
-  float HalfArea() const {
-    const Vec4 s = upper - lower;
-    return s[0] * (s[1] + s[2]) + s[1] * s[2];
-  }
-};
-
-inline Box BoxOf(const Bounds& bounds) {
-  Box box;
-  box.lower = Vec4{bounds.lower.x, bounds.lower.y, bounds.lower.z, 0};
-  box.upper = Vec4{bounds.upper.x, bounds.upper.y, bounds.upper.z, 0};
-  return box;
-}
-inline Bounds BoundsOf(const Box& box) {
-  return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
-}
 
 // One thing to be placed in the tree: a triangle, alone or with a neighbour, a shape or an instance.
 struct PrimitiveRef {

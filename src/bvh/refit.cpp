@@ -14,8 +14,9 @@ constexpr int ParallelDepth = 4;
 
 class Refitter {
  public:
-  Refitter(const Geometry& geometry, const std::vector<Bounds>& treeBounds, WideArrays& arrays)
-      : geometry_(geometry), treeBounds_(treeBounds), arrays_(arrays) {}
+  Refitter(const Geometry& geometry, const std::vector<std::vector<Bounds>>& treeBoxes,
+           WideArrays& arrays)
+      : geometry_(geometry), treeBoxes_(treeBoxes), arrays_(arrays) {}
 
   Box Refit(ChildRef ref, int depth) {
     if (IsLeaf(ref)) return RefitLeaf(ref);
@@ -48,7 +49,7 @@ class Refitter {
         PlacedTree& placed = arrays_.placed[i];
         PackInstance(placed, placed.instance, geometry_);
         bounds = TransformedBounds(geometry_.instances[placed.instance].toWorld,
-                                   treeBounds_[placed.tree]);
+                                   treeBoxes_[placed.tree]);
       }
       if (bounds.Finite()) box.Extend(BoxOf(bounds));
     }
@@ -72,15 +73,15 @@ class Refitter {
   }
 
   const Geometry& geometry_;
-  const std::vector<Bounds>& treeBounds_;
+  const std::vector<std::vector<Bounds>>& treeBoxes_;
   WideArrays& arrays_;
 };
 
 }  // namespace
 
-Bounds RefitTree(ChildRef root, const Geometry& geometry, const std::vector<Bounds>& treeBounds,
-                 WideArrays& arrays) {
-  return BoundsOf(Refitter(geometry, treeBounds, arrays).Refit(root, 0));
+Bounds RefitTree(ChildRef root, const Geometry& geometry,
+                 const std::vector<std::vector<Bounds>>& treeBoxes, WideArrays& arrays) {
+  return BoundsOf(Refitter(geometry, treeBoxes, arrays).Refit(root, 0));
 }
 
 }  // namespace snell::bvh

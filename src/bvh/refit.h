@@ -7,8 +7,8 @@
 
 namespace snell::bvh {
 
-// Returns the tree's bounds. `treeBounds` are those of the trees that instances place.
-Bounds RefitTree(ChildRef root, const Geometry& geometry, const std::vector<Bounds>& treeBounds,
-                 WideArrays& arrays);
+// Returns the tree's bounds. `treeBoxes` are the OuterBoxes of the trees that instances place.
+Bounds RefitTree(ChildRef root, const Geometry& geometry,
+                 const std::vector<std::vector<Bounds>>& treeBoxes, WideArrays& arrays);
 
 }  // namespace snell::bvh
