@@ -55,9 +55,11 @@ struct Extent {
   }
 };
 
+// References of one of the builder's two arrays.
 struct Range {
   std::uint32_t first;
   std::uint32_t last;
+  bool inScratch = false;
   Extent extent;
   std::uint32_t Count() const { return last - first; }
 };
@@ -170,14 +172,15 @@ class Builder {
 
   BinaryTree Build() {
     const std::uint32_t count = std::uint32_t(references_.size());
-    scratch_.resize(count > ParallelSize ? count : 0);
-    BuildNode(0, {0, count, ExtentOf(0, count)}, 0);
+    if (count >= ParallelSize) scratch_.resize(count);
+    BuildNode(0, {0, count, false, ExtentOf(0, count, false)}, 0);
     return std::move(tree_);
   }
 
  private:
   // A subtree over n references takes the 2n − 1 nodes from `index` on, whichever thread builds it.
-  void BuildNode(std::uint32_t index, const Range& range, int depth) {
+  void BuildNode(std::uint32_t index, Range range, int depth) {
+    if (range.inScratch && range.Count() < ParallelSize) BringBack(range);
     const std::uint32_t kinds = range.extent.kinds;
     const bool mixed = (kinds & (kinds - 1)) != 0;
     const bool mayBeLeaf = range.Count() <= MaxLeafCount && !mixed;
@@ -199,6 +202,14 @@ class Builder {
     }
   }
 
+  HugeVector<PrimitiveRef>& ArrayOf(bool scratch) { return scratch ? scratch_ : references_; }
+
+  void BringBack(Range& range) {
+    std::copy(scratch_.begin() + range.first, scratch_.begin() + range.last,
+              references_.begin() + range.first);
+    range.inScratch = false;
+  }
+
   // Part the references by the best split, else by kind, else in the middle. Returns false if a leaf is
   // better.
   bool Part(const Range& range, bool mixed, bool mayBeLeaf, float leafCost, int depth, Range& left,
@@ -218,19 +229,21 @@ class Builder {
       return false;
     }
     if (mixed) {
-      const LeafKind kind = references_[range.first].Kind();
+      const LeafKind kind = ArrayOf(range.inScratch)[range.first].Kind();
       const auto isKind = [&](const PrimitiveRef& ref) { return ref.Kind() == kind; };
       if (Partition(range, isKind, left, right)) return true;
     }
     const std::uint32_t middle = range.first + range.Count() / 2;
-    left = {range.first, middle, ExtentOf(range.first, middle)};
-    right = {middle, range.last, ExtentOf(middle, range.last)};
+    const bool scratch = range.inScratch;
+    left = {range.first, middle, scratch, ExtentOf(range.first, middle, scratch)};
+    right = {middle, range.last, scratch, ExtentOf(middle, range.last, scratch)};
     return true;
   }
 
-  Extent ExtentOf(std::uint32_t first, std::uint32_t last) const {
+  Extent ExtentOf(std::uint32_t first, std::uint32_t last, bool inScratch) {
+    const PrimitiveRef* references = ArrayOf(inScratch).data();
     const auto scan = [&](std::uint32_t from, std::uint32_t to, Extent extent) {
-      for (std::uint32_t i = from; i < to; ++i) extent.Extend(references_[i]);
+      for (std::uint32_t i = from; i < to; ++i) extent.Extend(references[i]);
       return extent;
     };
     if (last - first < ParallelSize) return scan(first, last, {});
@@ -243,17 +256,18 @@ class Builder {
         });
   }
 
-  Split FindSplit(const Range& range, const BinMap& map) const {
+  Split FindSplit(const Range& range, const BinMap& map) {
+    const PrimitiveRef* references = ArrayOf(range.inScratch).data();
     Bins bins;
     bins.Clear(map.count);
     if (range.Count() < ParallelSize) {
-      for (std::uint32_t i = range.first; i < range.last; ++i) bins.Add(references_[i], map);
+      for (std::uint32_t i = range.first; i < range.last; ++i) bins.Add(references[i], map);
       return BestSplit(bins, map);
     }
     bins = tbb::parallel_reduce(
         tbb::blocked_range<std::uint32_t>(range.first, range.last, ParallelSize / 4), bins,
         [&](const auto& part, Bins sum) {
-          for (std::uint32_t i = part.begin(); i < part.end(); ++i) sum.Add(references_[i], map);
+          for (std::uint32_t i = part.begin(); i < part.end(); ++i) sum.Add(references[i], map);
           return sum;
         },
         [&](Bins a, const Bins& b) {
@@ -266,8 +280,8 @@ class Builder {
   // Bring those that go left to the front. Returns false if all go to one side.
   template <class GoesLeft>
   bool Partition(const Range& range, const GoesLeft& goesLeft, Range& left, Range& right) {
-    left = {range.first, range.first, {}};
-    right = {range.last, range.last, {}};
+    left = {range.first, range.first, false, {}};
+    right = {range.last, range.last, false, {}};
     if (range.Count() < ParallelSize) {
       std::uint32_t next = range.first;
       while (next < right.first) {
@@ -287,7 +301,7 @@ class Builder {
     return left.Count() > 0 && right.Count() > 0;
   }
 
-  // The order on both sides is kept, so that it does not depend on the threads.
+  // From one array to the other. The order on both sides is kept, so that it does not depend on the threads.
   template <class GoesLeft>
   void PartitionInParallel(const Range& range, const GoesLeft& goesLeft, Range& left,
                            Range& right) {
@@ -298,36 +312,35 @@ class Builder {
       Extent left, right;
     };
     std::vector<Chunk> chunks(chunkCount);
+    const PrimitiveRef* from = ArrayOf(range.inScratch).data();
+    PrimitiveRef* to = ArrayOf(!range.inScratch).data();
+    left.inScratch = right.inScratch = !range.inScratch;
     const auto chunkFirst = [&](std::uint32_t c) {
       return std::min(range.first + c * ChunkSize, range.last);
     };
     tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
-      Chunk chunk;
-      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i) {
-        const bool isLeft = goesLeft(references_[i]);
-        chunk.lefts += isLeft ? 1 : 0;
-        (isLeft ? chunk.left : chunk.right).Extend(references_[i]);
-      }
-      chunks[c] = chunk;
+      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i)
+        chunks[c].lefts += goesLeft(from[i]) ? 1 : 0;
     });
     std::vector<std::uint32_t> lefts(chunkCount + 1, 0);
-    for (std::uint32_t c = 0; c < chunkCount; ++c) {
-      lefts[c + 1] = lefts[c] + chunks[c].lefts;
-      left.extent.Extend(chunks[c].left);
-      right.extent.Extend(chunks[c].right);
-    }
+    for (std::uint32_t c = 0; c < chunkCount; ++c) lefts[c + 1] = lefts[c] + chunks[c].lefts;
     const std::uint32_t middle = range.first + lefts[chunkCount];
     left.last = right.first = middle;
     tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
+      Chunk chunk;
       std::uint32_t toLeft = range.first + lefts[c];
       std::uint32_t toRight = middle + (chunkFirst(c) - range.first) - lefts[c];
-      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i)
-        scratch_[goesLeft(references_[i]) ? toLeft++ : toRight++] = references_[i];
+      for (std::uint32_t i = chunkFirst(c); i < chunkFirst(c + 1); ++i) {
+        const bool isLeft = goesLeft(from[i]);
+        (isLeft ? chunk.left : chunk.right).Extend(from[i]);
+        to[isLeft ? toLeft++ : toRight++] = from[i];
+      }
+      chunks[c] = chunk;
     });
-    tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
-      std::copy(scratch_.begin() + chunkFirst(c), scratch_.begin() + chunkFirst(c + 1),
-                references_.begin() + chunkFirst(c));
-    });
+    for (const Chunk& chunk : chunks) {
+      left.extent.Extend(chunk.left);
+      right.extent.Extend(chunk.right);
+    }
   }
 
   HugeVector<PrimitiveRef>& references_;
