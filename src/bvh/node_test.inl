@@ -105,6 +105,7 @@ SIMD_FN ChildRef GoOn(const WideNode& node, std::uint32_t hits, Float8 distances
 
 // For any hit the builder's order of the children counts, not the distance.
 SIMD_FN ChildRef GoOn(const WideNode& node, std::uint32_t hits, Float8, ChildRef*& top) {
+  if ((hits & (hits - 1)) == 0) return node.child[__builtin_ctz(hits)];
   top = Append(top, node.child, hits) - 1;
   return node.child[31 - __builtin_clz(hits)];
 }
