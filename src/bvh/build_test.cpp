@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 
+#include "bvh/blocks.h"
 #include "bvh/bvh.h"
 #include "bvh/tree_bytes.h"
 #include "support/soups.h"
@@ -79,7 +80,7 @@ class Walker {
       switch (KindOf(leaf)) {
         case LeafKind::Triangles: VisitBlock(arrays_.blocks.at(i), bounds); break;
         case LeafKind::Shapes: VisitShape(arrays_.shapes.at(i), bounds); break;
-        case LeafKind::Instances: ++census_.instances[arrays_.placed.at(i).instance]; break;
+        case LeafKind::Instances: VisitInstance(arrays_.placed.at(i).instance, bounds); break;
         default: ++census_.faults;
       }
     }
@@ -109,12 +110,24 @@ class Walker {
     if (!Holds(bounds, own.lower) || !Holds(bounds, own.upper)) ++census_.faults;
   }
 
+  void VisitInstance(std::uint32_t id, const Bounds& bounds) {
+    ++census_.instances[id];
+    const kernel::Instance& instance = geometry_.instances[id];
+    for (std::uint32_t i = 0; i < instance.triangleCount; ++i) {
+      const kernel::Triangle& t = geometry_.triangles[instance.firstTriangle + i];
+      for (const std::uint32_t v : {t.v0, t.v1, t.v2}) {
+        if (!Holds(bounds, kernel::ToWorldPoint(instance.toWorld, geometry_.positions[v])))
+          ++census_.faults;
+      }
+    }
+  }
+
   const WideArrays& arrays_;
   const Geometry& geometry_;
   Census census_;
 };
 
-// Of traverse.inl.
+// Of traverse.inl, without the room for Append.
 constexpr int StackSize = 80 * (Width - 1) + 1;
 
 bool AllOnce(const std::map<std::uint32_t, int>& times, std::uint32_t first, std::size_t count) {
@@ -253,6 +266,30 @@ TEST(TreeDepth, StaysSmallForOrdinaryMeshes) {
   EXPECT_EQ(bvh.MemoryBytes(), bvh.arrays().nodes.size() * sizeof(WideNode) +
                                    bvh.arrays().blocks.size() * sizeof(PairBlock) +
                                    bvh.trees().size() * sizeof(Tree));
+}
+
+TEST(InstanceBoxes, AreTightAroundTurnedMeshes) {
+  Random random(712);
+  Soup soup;
+  soup.AddInstance(soup.AddMesh(test::Icosphere(4)), glm::dmat4(1.0));
+  const Geometry geometry = soup.Geometry();
+  const Bvh bvh(geometry);
+  const std::vector<Bounds> boxes =
+      OuterBoxes(bvh.trees()[1].root, {vec3(-1.0f), vec3(1.0f)}, bvh.arrays().nodes);
+  EXPECT_GT(boxes.size(), 8u);
+  EXPECT_LE(boxes.size(), 64u);
+  float tight = 0, loose = 0;
+  for (int i = 0; i < 100; ++i) {
+    const kernel::Transform map =
+        test::ToKernel(test::RandomMap(random, test::MapKind::Rigid, 1.0, 0.0));
+    const Bounds bounds = TransformedBounds(map, boxes);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_GE(bounds.Size()[axis], 1.99f);
+    tight += bounds.HalfArea();
+    loose += TransformedBounds(map, {vec3(-1.0f), vec3(1.0f)}).HalfArea();
+  }
+  // The ball's own box has the half area 12
+  EXPECT_LT(tight / 100, 21.0f);
+  EXPECT_GT(loose / 100, 25.0f);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,10 +43,10 @@ struct HugePageAllocator {
 
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
+    // A box's own initialisation would have one thread write, and the system provide, every page
+    static_assert(std::is_trivially_copyable_v<U> && std::is_trivially_destructible_v<U>);
     if constexpr (sizeof...(Arguments) > 0)
       ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
-    else
-      ::new (static_cast<void*>(place)) U;
   }
 
   bool operator==(const HugePageAllocator&) const { return true; }
