@@ -85,13 +85,6 @@ SIMD_FN Float16 Join(Float8 low, Float8 high) { return {low.v, high.v}; }
 SIMD_FN Float8 LowHalf(Float16 a) { return {a.low}; }
 SIMD_FN Float8 HighHalf(Float16 a) { return {a.high}; }
 
-struct HalfOrder {
-  std::size_t first;
-};
-SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
-  for (int axis = 0; axis < 3; ++axis)
-    order[axis].first = std::size_t(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
-}
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   return {_mm256_load_ps(p + order.first), _mm256_load_ps(p + (order.first ^ 8))};
 }

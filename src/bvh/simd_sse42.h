@@ -52,6 +52,16 @@ SIMD_FN std::uint32_t MaskLess(Float4 a, Float4 b) {
 SIMD_FN std::uint32_t SignMask(Float4 a) { return std::uint32_t(_mm_movemask_ps(a.v)) & 7; }
 SIMD_FN Float4 Negate(Float4 a) { return {_mm_xor_ps(_mm_set1_ps(-0.0f), a.v)}; }
 
+#ifndef SNELL_SIMD_NATIVE16
+struct HalfOrder {
+  std::size_t first;
+};
+SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
+  for (int axis = 0; axis < 3; ++axis)
+    order[axis].first = std::size_t(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
+}
+#endif
+
 #ifndef SNELL_SIMD_NATIVE8
 
 struct Float8 {
@@ -136,13 +146,6 @@ SIMD_FN Float16 Join(Float8 low, Float8 high) { return {{low.low, low.high, high
 SIMD_FN Float8 LowHalf(Float16 a) { return {a.v[0], a.v[1]}; }
 SIMD_FN Float8 HighHalf(Float16 a) { return {a.v[2], a.v[3]}; }
 
-struct HalfOrder {
-  std::size_t first;
-};
-SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
-  for (int axis = 0; axis < 3; ++axis)
-    order[axis].first = std::size_t(kernel::floatBitsToUint(direction[axis]) >> 31) * 8;
-}
 SIMD_FN Float16 Load16(const float* p, HalfOrder order) {
   const float* low = p + order.first;
   const float* high = p + (order.first ^ 8);
