@@ -18,8 +18,7 @@ namespace snell::bvh {
 static void SetSlack(Tree& tree, const Bounds& bounds) {
   for (int axis = 0; axis < 3; ++axis)
     tree.slack[axis] =
-        kernel::Gamma(8.0f) *
-        std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
+        kernel::Gamma(8.0f) * std::max(std::abs(bounds.lower[axis]), std::abs(bounds.upper[axis]));
 }
 
 Bvh::Bvh(const Geometry& geometry, BuildQuality quality)

@@ -56,9 +56,7 @@ using Waiting = std::uint64_t;
 SIMD_FN Waiting Wait(float distance, ChildRef ref) {
   return Waiting(kernel::floatBitsToUint(distance)) << 32 | ref;
 }
-SIMD_FN bool IsBeyond(Waiting entry, float t) {
-  return entry >> 32 > kernel::floatBitsToUint(t);
-}
+SIMD_FN bool IsBeyond(Waiting entry, float t) { return entry >> 32 > kernel::floatBitsToUint(t); }
 // For any hit distances do not matter.
 SIMD_FN bool IsBeyond(ChildRef, float) { return false; }
 template <bool AnyHit>

@@ -28,8 +28,7 @@ SIMD_FN void OrderHalves(const float* direction, HalfOrder order[3]) {
   for (int axis = 0; axis < 3; ++axis) {
     const __m512i bits = _mm512_castps_si512(_mm512_set1_ps(direction[axis]));
     // lanes ^ (sign & 8)
-    order[axis].index =
-        _mm512_ternarylogic_epi32(lanes, _mm512_srai_epi32(bits, 31), eight, 0x78);
+    order[axis].index = _mm512_ternarylogic_epi32(lanes, _mm512_srai_epi32(bits, 31), eight, 0x78);
   }
 }
 template <int Axis>
@@ -57,7 +56,6 @@ SIMD_FN Float8 Quarters12(Float16 a) {
   return {_mm512_castps512_ps256(_mm512_shuffle_f32x4(a.v, a.v, 0x39))};
 }
 
-
 // Append the lanes `lanes` of `from`, or of high and low parts, to a list; its end afterwards. Write eight
 // elements.
 SIMD_FN std::uint32_t* Append(std::uint32_t* to, const std::uint32_t* from, std::uint32_t lanes) {
@@ -68,10 +66,9 @@ SIMD_FN std::uint32_t* Append(std::uint32_t* to, const std::uint32_t* from, std:
 }
 SIMD_FN std::uint64_t* Append(std::uint64_t* to, Float8 high, const std::uint32_t* low,
                               std::uint32_t lanes) {
-  const __m512i places =
-      _mm512_setr_epi32(16, 0, 17, 1, 18, 2, 19, 3, 20, 4, 21, 5, 22, 6, 23, 7);
-  const __m512i all = _mm512_permutex2var_epi32(
-      _mm512_castps_si512(_mm512_castps256_ps512(high.v)), places, _mm512_load_si512(low));
+  const __m512i places = _mm512_setr_epi32(16, 0, 17, 1, 18, 2, 19, 3, 20, 4, 21, 5, 22, 6, 23, 7);
+  const __m512i all = _mm512_permutex2var_epi32(_mm512_castps_si512(_mm512_castps256_ps512(high.v)),
+                                                places, _mm512_load_si512(low));
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(__mmask8(lanes), all));
   return to + __builtin_popcount(lanes);
 }

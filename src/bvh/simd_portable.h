@@ -170,7 +170,6 @@ SIMD_FN std::uint32_t MaskLessEqual(Float8 a, Float8 b) {
   return mask;
 }
 
-
 // Eight yes or no.
 struct Mask8 {
   bool v[8];

@@ -157,11 +157,10 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
           limits = Limits(best.t);
         }
       } else {
-        const bool hit =
-            KindOf(current) == LeafKind::Shapes
-                ? IntersectShapes<AnyHit>(view, view.leafShapes + FirstOf(current),
-                                          CountOf(current), ray, mask, best)
-                : IntersectInstances<AnyHit>(view, current, ray, mask, best);
+        const bool hit = KindOf(current) == LeafKind::Shapes
+                             ? IntersectShapes<AnyHit>(view, view.leafShapes + FirstOf(current),
+                                                       CountOf(current), ray, mask, best)
+                             : IntersectInstances<AnyHit>(view, current, ray, mask, best);
         if (AnyHit && hit) return true;
         limits = Limits(best.t);
       }

@@ -114,9 +114,7 @@ SIMD_FN void WalkMany(const View& view, const Query* queries, std::size_t count,
 }
 
 // Only plain trees are walked together; other rays go one after another.
-SIMD_FN bool MayWalk(const View& view, std::uint32_t mask) {
-  return (view.plainMask & mask) != 0;
-}
+SIMD_FN bool MayWalk(const View& view, std::uint32_t mask) { return (view.plainMask & mask) != 0; }
 
 static void ClosestMany(const View& view, const Query* queries, std::size_t count,
                         std::uint32_t mask, Intersection* found) {
