@@ -20,6 +20,7 @@ uint FlattenKind(scene::TextureKind kind) {
     case scene::TextureKind::Gradient: return TEXTURE_GRADIENT;
     case scene::TextureKind::Marble: return TEXTURE_MARBLE;
     case scene::TextureKind::Wood: return TEXTURE_WOOD;
+    case scene::TextureKind::Image: return TEXTURE_IMAGE;
   }
   return TEXTURE_CHECKER;
 }

@@ -7,85 +7,20 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/mat4x4.hpp>
-#include <limits>
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "kernel/types.h"
+#include "scene/material.h"
 #include "util/error.h"
 
 namespace snell::scene {
 
-using kernel::Spectrum;
 using kernel::uvec3;
 using kernel::vec2;
 using kernel::vec3;
-
-// Maps an object's coordinates to the world's; double precision because transforms are nested. The last
-// row is 0 0 0 1.
-using Affine = glm::dmat4;
-
-// Indices into the Scene's arrays; -1 is none.
-using TextureIndex = int;
-using MaterialIndex = int;
-using MeshIndex = int;
-
-// --- Textures and materials -----------------------------------------------------------------------------
-
-enum class TextureKind { Checker, Stripes, Gradient, Marble, Wood };
-enum class TextureSpace { Uv, Object, World };
-
-struct Texture {
-  std::string name;
-  TextureKind kind = TextureKind::Checker;
-  TextureSpace space = TextureSpace::Uv;
-  Spectrum colorA{0.1f};
-  Spectrum colorB{0.9f};
-  float turbulence = 0;
-  int octaves = 4;
-  bool smooth = false;
-  Affine placement{1.0};  // from pattern space, where one unit is one period, to `space`
-};
-
-// A colour, or a texture multiplied by a colour.
-struct ColorInput {
-  Spectrum value{0.0f};
-  TextureIndex texture = -1;
-};
-
-enum class TermKind { Ambient, Diffuse, Phong, Blinn };
-
-// One shader term of a classic material.
-struct Term {
-  TermKind kind = TermKind::Diffuse;
-  ColorInput color{Spectrum(1.0f)};
-  float exponent = 32;      // of the specular terms
-  bool normalized = false;  // specular: scaled to conserve energy
-};
-
-enum class ReflectionModel { Constant, Fresnel, Schlick };
-
-// The classic material: terms, added; then reflection and refraction (kernel/interface.h has the rule).
-struct Material {
-  std::string name;
-  std::vector<Term> terms;
-  ColorInput emission;  // radiance, W/(sr·m²)
-  ColorInput reflectivity;
-  ReflectionModel reflection = ReflectionModel::Constant;
-  ColorInput transparency;
-  float ior = 1.5f;
-  bool thin = false;                // a sheet: refracts nothing and has no inside
-  Spectrum attenuationColor{1.0f};  // what is left of white light after attenuationDistance
-  float attenuationDistance = std::numeric_limits<float>::infinity();  // metres
-  int priority = 0;  // where insides overlap, the higher one fills the space
-
-  bool Refractive() const {
-    return transparency.texture >= 0 || transparency.value != Spectrum(0.0f);
-  }
-};
+using kernel::vec4;
 
 // --- Lights ---------------------------------------------------------------------------------------------
 
@@ -157,13 +92,18 @@ struct MeshGeometry {
 
 using Geometry = std::variant<Sphere, Plane, Disk, Rectangle, Box, Cone, Torus, MeshGeometry>;
 
-// Triangles over shared vertices. `normals` and `uvs` are empty or have an entry per position. Vertices
-// count counter-clockwise seen from outside; normals, where given, say themselves which side is outside.
+// Triangles over shared vertices. All but positions and triangles are empty or have an entry per position.
+// Vertices count counter-clockwise seen from outside; normals, where given, say themselves which side is
+// outside. In `uvs`, (0, 0) is a picture's lower left corner. A tangent's w is the sign of the bitangent:
+// cross(normal, tangent) · w. Colours are linear and multiply a physical material's base colour, their w its opacity.
 struct Mesh {
   std::string name;
   std::vector<vec3> positions;
   std::vector<vec3> normals;
   std::vector<vec2> uvs;
+  std::vector<vec2> uvs1;  // the second set
+  std::vector<vec4> tangents;
+  std::vector<vec4> colors;
   std::vector<uvec3> triangles;
 };
 
@@ -226,6 +166,7 @@ struct Scene {
   std::vector<Camera> cameras;  // the first one is the default; empty: frame everything
   Environment environment;
   std::vector<Light> lights;
+  std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
