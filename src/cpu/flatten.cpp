@@ -22,8 +22,9 @@ bvh::Geometry FlatScene::Geometry() {
 std::uint64_t FlatScene::MemoryBytes() const {
   const auto bytes = [](const auto& array) { return array.size() * sizeof(array[0]); };
   return bytes(objects) + bytes(shapes) + bytes(instances) + bytes(meshes) + bytes(triangles) +
-         bytes(positions) + bytes(normals) + bytes(uvs) + bytes(materials) + bytes(terms) +
-         bytes(textures) + bytes(lights);
+         bytes(positions) + bytes(normals) + bytes(uvs) + bytes(tangents) + bytes(colors) +
+         bytes(materials) + bytes(terms) + bytes(physicals) + bytes(textures) + bytes(images) +
+         bytes(texels) + bytes(lights);
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -60,6 +61,16 @@ static Environment FlattenEnvironment(const scene::Environment& environment) {
           std::sin(environment.topElevation), environment.ior};
 }
 
+// What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
+// detail need not smooth again (pbrt-v4, section 10.1.2).
+static void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
+  const float share = std::max(0.125f, 1 / std::sqrt(float(std::max(settings.spp, 1))));
+  const float pixel = 2 * params.camera.extent.y / float(params.camera.resolution.y) * share;
+  const bool isPinhole = params.camera.kind == CAMERA_PINHOLE;
+  params.coneWidth = isPinhole ? 0 : pixel;
+  params.coneSpread = isPinhole ? pixel : 0;
+}
+
 // Whether a ray of the camera may start in the box.
 static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
   bvh::Bounds starts;
@@ -84,6 +95,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
+  FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);

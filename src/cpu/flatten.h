@@ -23,9 +23,14 @@ struct FlatScene {
   std::vector<kernel::vec3> positions;
   std::vector<kernel::vec3> normals;
   std::vector<kernel::vec2> uvs;
+  std::vector<kernel::vec4> tangents;
+  std::vector<kernel::vec4> colors;
   std::vector<kernel::Material> materials;
   std::vector<kernel::Term> terms;
+  std::vector<kernel::Physical> physicals;
   std::vector<kernel::Texture> textures;
+  std::vector<kernel::Image> images;
+  std::vector<std::uint32_t> texels;
   std::vector<kernel::Light> lights;
   std::uint32_t worldTriangles = 0;
 

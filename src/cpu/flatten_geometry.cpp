@@ -99,11 +99,13 @@ struct ShapeFlattener {
 
 // Whether a texture of the object's material reads texture coordinates.
 bool IsMapped(const scene::Scene& scene, const scene::Material& material) {
-  const auto reads = [&](const scene::ColorInput& input) {
-    return input.texture >= 0 &&
-           scene.textures.at(std::size_t(input.texture)).space == scene::TextureSpace::Uv;
+  const auto isUv = [&](scene::TextureIndex texture) {
+    return texture >= 0 && scene.textures.at(std::size_t(texture)).space == scene::TextureSpace::Uv;
   };
-  return reads(material.emission) || reads(material.reflectivity) || reads(material.transparency) ||
+  const auto reads = [&](const scene::ColorInput& input) { return isUv(input.texture); };
+  return material.physical || isUv(material.normalMap.texture) || isUv(material.bumpMap.texture) ||
+         isUv(material.opacity.texture) || reads(material.emission) ||
+         reads(material.reflectivity) || reads(material.transparency) ||
          std::ranges::any_of(material.terms,
                              [&](const scene::Term& term) { return reads(term.color); });
 }
@@ -112,7 +114,9 @@ uint MaskOf(const scene::Object& object, const scene::Material& material, bool t
   uint mask = 0;
   if (object.visibleToCamera) mask |= MASK_CAMERA;
   if (object.visibleToSecondary) mask |= MASK_SECONDARY;
-  if (object.castsShadow) mask |= material.Refractive() && tintedShadows ? MASK_TINT : MASK_SHADOW;
+  const bool lets =
+      material.Refractive() ? tintedShadows : material.alphaMode != scene::AlphaMode::Opaque;
+  if (object.castsShadow) mask |= lets ? MASK_TINT : MASK_SHADOW;
   if (material.Refractive() && !material.thin) mask |= MASK_INSIDE;
   return mask;
 }
@@ -131,30 +135,41 @@ uint AppendMesh(const scene::Mesh& mesh, const Affine* toWorld, uint object, Fla
   record.object = object;
   record.normals = mesh.normals.empty() ? None : uint(flat.normals.size()) - firstVertex;
   record.uvs = mesh.uvs.empty() ? None : uint(flat.uvs.size()) - firstVertex;
+  record.uvs1 = mesh.uvs1.empty() ? None : uint(flat.uvs.size() + mesh.uvs.size()) - firstVertex;
+  record.tangents = mesh.tangents.empty() ? None : uint(flat.tangents.size()) - firstVertex;
+  record.colors = mesh.colors.empty() ? None : uint(flat.colors.size()) - firstVertex;
   const uint meshIndex = uint(flat.meshes.size());
   flat.meshes.push_back(record);
 
   flat.positions.insert(flat.positions.end(), mesh.positions.begin(), mesh.positions.end());
   flat.normals.insert(flat.normals.end(), mesh.normals.begin(), mesh.normals.end());
   flat.uvs.insert(flat.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+  flat.uvs.insert(flat.uvs.end(), mesh.uvs1.begin(), mesh.uvs1.end());
+  flat.tangents.insert(flat.tangents.end(), mesh.tangents.begin(), mesh.tangents.end());
+  flat.colors.insert(flat.colors.end(), mesh.colors.begin(), mesh.colors.end());
   const bool moved = toWorld && *toWorld != Affine(1.0);
   const bool mirrored = moved && glm::determinant(glm::dmat3(*toWorld)) < 0;
   if (moved) {
     const glm::dmat3 linear(*toWorld);
     const glm::dvec3 origin((*toWorld)[3]);
     const glm::dmat3 normalMap = glm::inverseTranspose(linear);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.positions.size(), 4096),
-                      [&](const auto& part) {
-                        for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                          vec3& p = flat.positions[firstVertex + i];
-                          p = vec3(linear * glm::dvec3(p) + origin);
-                          if (mesh.normals.empty()) continue;
-                          vec3& n = flat.normals[flat.normals.size() - mesh.normals.size() + i];
-                          const glm::dvec3 mapped = normalMap * glm::dvec3(n);
-                          const double length = glm::length(mapped);
-                          n = length > 0 ? vec3(mapped / length) : n;
-                        }
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, mesh.positions.size(), 4096), [&](const auto& part) {
+          for (std::size_t i = part.begin(); i < part.end(); ++i) {
+            vec3& p = flat.positions[firstVertex + i];
+            p = vec3(linear * glm::dvec3(p) + origin);
+            if (!mesh.tangents.empty()) {
+              vec4& t = flat.tangents[flat.tangents.size() - mesh.tangents.size() + i];
+              const vec3 turned(linear * glm::dvec3(t));
+              t = vec4(turned, mirrored ? -t.w : t.w);
+            }
+            if (mesh.normals.empty()) continue;
+            vec3& n = flat.normals[flat.normals.size() - mesh.normals.size() + i];
+            const glm::dvec3 mapped = normalMap * glm::dvec3(n);
+            const double length = glm::length(mapped);
+            n = length > 0 ? vec3(mapped / length) : n;
+          }
+        });
   }
 
   flat.triangles.resize(firstTriangle + mesh.triangles.size());

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu/flatten_shading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_texture.h"
 #include "kernel/math.h"
 
 namespace snell::cpu {
@@ -12,27 +14,6 @@ namespace snell::cpu {
 using namespace kernel;
 
 namespace {
-
-uint FlattenKind(scene::TextureKind kind) {
-  switch (kind) {
-    case scene::TextureKind::Checker: return TEXTURE_CHECKER;
-    case scene::TextureKind::Stripes: return TEXTURE_STRIPES;
-    case scene::TextureKind::Gradient: return TEXTURE_GRADIENT;
-    case scene::TextureKind::Marble: return TEXTURE_MARBLE;
-    case scene::TextureKind::Wood: return TEXTURE_WOOD;
-    case scene::TextureKind::Image: return TEXTURE_IMAGE;
-  }
-  return TEXTURE_CHECKER;
-}
-
-uint FlattenSpace(scene::TextureSpace space) {
-  switch (space) {
-    case scene::TextureSpace::Uv: return SPACE_UV;
-    case scene::TextureSpace::Object: return SPACE_OBJECT;
-    case scene::TextureSpace::World: return SPACE_WORLD;
-  }
-  return SPACE_UV;
-}
 
 uint FlattenKind(scene::TermKind kind) {
   switch (kind) {
@@ -62,8 +43,19 @@ uint FlattenFalloff(scene::Falloff falloff) {
   return FALLOFF_INVERSE_SQUARE;
 }
 
-ColorSource Source(const scene::ColorInput& input) {
-  return {input.value, input.texture < 0 ? None : uint(input.texture)};
+uint Index(scene::TextureIndex texture) { return texture < 0 ? None : uint(texture); }
+
+ColorSource Source(const scene::ColorInput& input) { return {input.value, Index(input.texture)}; }
+
+ScalarSource Source(const scene::ScalarInput& input) { return {input.value, uint(input.channel)}; }
+
+uint FlattenAlpha(scene::AlphaMode mode) {
+  switch (mode) {
+    case scene::AlphaMode::Opaque: return ALPHA_OPAQUE;
+    case scene::AlphaMode::Mask: return ALPHA_MASK;
+    case scene::AlphaMode::Blend: return ALPHA_BLEND;
+  }
+  return ALPHA_OPAQUE;
 }
 
 // The absorption coefficient that leaves `color` of white light after `distance`.
@@ -161,31 +153,98 @@ bool HasSurface(const scene::Light& light) {
 
 }  // namespace
 
+static Physical FlattenPhysical(const scene::OpenPbr& from) {
+  Physical physical = {};
+  physical.baseColor = from.baseColor.value * from.baseWeight;
+  physical.metalness = Source(from.baseMetalness);
+  physical.specularWeight = Source(from.specularWeight);
+  physical.specularColor = from.specularColor.value;
+  physical.roughness = Source(from.specularRoughness);
+  physical.transmission = Source(from.transmissionWeight);
+  physical.transmissionColor = from.transmissionDepth > 0 ? Spectrum(1.0f) : from.transmissionColor;
+  physical.coatWeight = Source(from.coatWeight);
+  physical.coatRoughness = Source(from.coatRoughness);
+  physical.coatIor = from.coatIor;
+  physical.fuzzWeight = Source(from.fuzzWeight);
+  physical.fuzzColor = from.fuzzColor.value;
+  physical.fuzzRoughness = Source(from.fuzzRoughness);
+  return physical;
+}
+
+// The textures by role.
+static void FlattenRoles(const scene::Material& from, Material& m) {
+  const auto set = [&](uint role, scene::TextureIndex texture) {
+    m.textures[role] = Index(texture);
+    if (texture >= 0) m.textured = 1;
+  };
+  std::ranges::fill(m.textures, None);
+  if (from.alphaMode != scene::AlphaMode::Opaque) set(ROLE_OPACITY, from.opacity.texture);
+  set(ROLE_NORMAL, from.normalMap.texture);
+  if (!from.physical) {
+    set(ROLE_EMISSION, from.emission.texture);
+    set(ROLE_REFLECTIVITY, from.reflectivity.texture);
+    set(ROLE_TRANSPARENCY, from.transparency.texture);
+    return;
+  }
+  const scene::OpenPbr& physical = *from.physical;
+  set(ROLE_EMISSION, physical.emission.texture);
+  set(ROLE_BASE_COLOR, physical.baseColor.texture);
+  set(ROLE_METALNESS, physical.baseMetalness.texture);
+  set(ROLE_SPECULAR_WEIGHT, physical.specularWeight.texture);
+  set(ROLE_SPECULAR_COLOR, physical.specularColor.texture);
+  set(ROLE_ROUGHNESS, physical.specularRoughness.texture);
+  set(ROLE_TRANSMISSION, physical.transmissionWeight.texture);
+  set(ROLE_COAT_WEIGHT, physical.coatWeight.texture);
+  set(ROLE_COAT_ROUGHNESS, physical.coatRoughness.texture);
+  set(ROLE_FUZZ_WEIGHT, physical.fuzzWeight.texture);
+  set(ROLE_FUZZ_COLOR, physical.fuzzColor.texture);
+  set(ROLE_FUZZ_ROUGHNESS, physical.fuzzRoughness.texture);
+}
+
+static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
+  Material m = {};
+  m.firstTerm = uint(flat.terms.size());
+  m.refractive = from.Refractive() ? 1 : 0;
+  m.thin = from.thin ? 1 : 0;
+  m.priority = from.priority;
+  m.alphaMode = FlattenAlpha(from.alphaMode);
+  m.opacity = Source(from.opacity);
+  m.alphaCutoff = from.alphaCutoff;
+  m.normalScale = {from.normalMap.scale,
+                   from.normalMap.scale * (from.normalMap.flipGreen ? -1 : 1)};
+  m.bumpMap = Index(from.bumpMap.texture);
+  m.bumpScale = from.bumpMap.scale;
+  m.physical = None;
+  FlattenRoles(from, m);
+  if (from.physical) {
+    const scene::OpenPbr& physical = *from.physical;
+    m.physical = uint(flat.physicals.size());
+    flat.physicals.push_back(FlattenPhysical(physical));
+    m.ior = physical.specularIor;
+    m.absorption = physical.transmissionDepth > 0
+                       ? Absorption(physical.transmissionColor, physical.transmissionDepth)
+                       : Spectrum(0.0f);
+    m.emission = physical.emission.value;
+    return m;
+  }
+  m.termCount = uint(from.terms.size());
+  m.reflection = FlattenModel(from.reflection);
+  m.ior = from.ior;
+  m.absorption = Absorption(from.attenuationColor, from.attenuationDistance);
+  m.emission = from.emission.value;
+  m.reflectivity = from.reflectivity.value;
+  m.transparency = from.transparency.value;
+  for (const scene::Term& term : from.terms) {
+    flat.terms.push_back(
+        {FlattenKind(term.kind), term.normalized ? 1u : 0u, term.exponent, Source(term.color)});
+  }
+  return m;
+}
+
 void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
-  for (const scene::Texture& texture : scene.textures) {
-    flat.textures.push_back({FlattenKind(texture.kind), FlattenSpace(texture.space), texture.colorA,
-                             texture.colorB, texture.turbulence, uint(texture.octaves),
-                             texture.smooth ? 1u : 0u, ToTransform(texture.placement)});
-  }
-  for (const scene::Material& material : scene.materials) {
-    Material m = {};
-    m.firstTerm = uint(flat.terms.size());
-    m.termCount = uint(material.terms.size());
-    m.reflection = FlattenModel(material.reflection);
-    m.refractive = material.Refractive() ? 1 : 0;
-    m.thin = material.thin ? 1 : 0;
-    m.priority = material.priority;
-    m.ior = material.ior;
-    m.absorption = Absorption(material.attenuationColor, material.attenuationDistance);
-    m.emission = Source(material.emission);
-    m.reflectivity = Source(material.reflectivity);
-    m.transparency = Source(material.transparency);
-    flat.materials.push_back(m);
-    for (const scene::Term& term : material.terms) {
-      flat.terms.push_back(
-          {FlattenKind(term.kind), term.normalized ? 1u : 0u, term.exponent, Source(term.color)});
-    }
-  }
+  FlattenTextures(scene, flat);
+  for (const scene::Material& material : scene.materials)
+    flat.materials.push_back(FlattenMaterial(material, flat));
 }
 
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
@@ -203,8 +262,9 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       // Black; the light itself says how it shines
       lightMaterial = uint(flat.materials.size());
       Material black = {};
-      black.emission = black.reflectivity = black.transparency = {Spectrum(0.0f), None};
       black.ior = 1;
+      black.physical = black.bumpMap = None;
+      std::ranges::fill(black.textures, None);
       flat.materials.push_back(black);
     }
     const uint object = uint(flat.objects.size());

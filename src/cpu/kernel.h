@@ -23,9 +23,14 @@ struct Kernel {
   const vec3* positions;
   const vec3* normals;
   const vec2* uvs;
+  const vec4* tangents;
+  const vec4* colors;
   const Material* materials;
   const Term* terms;
+  const Physical* physicals;
   const Texture* textures;
+  const Image* images;
+  const uint* texels;
   const Light* lights;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
@@ -37,7 +42,9 @@ struct Kernel {
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/scene_filter.h"
+#include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_texture.h"

@@ -50,13 +50,25 @@ struct Replay {
 bool IsFinite(Spectrum L) { return std::isfinite(L.x) && std::isfinite(L.y) && std::isfinite(L.z); }
 
 Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
-  return {flat.params,           flat.objects.data(),
-          flat.shapes.data(),    flat.instances.data(),
-          flat.meshes.data(),    flat.triangles.data(),
-          flat.positions.data(), flat.normals.data(),
-          flat.uvs.data(),       flat.materials.data(),
-          flat.terms.data(),     flat.textures.data(),
-          flat.lights.data(),    bvh};
+  return {flat.params,
+          flat.objects.data(),
+          flat.shapes.data(),
+          flat.instances.data(),
+          flat.meshes.data(),
+          flat.triangles.data(),
+          flat.positions.data(),
+          flat.normals.data(),
+          flat.uvs.data(),
+          flat.tangents.data(),
+          flat.colors.data(),
+          flat.materials.data(),
+          flat.terms.data(),
+          flat.physicals.data(),
+          flat.textures.data(),
+          flat.images.data(),
+          flat.texels.data(),
+          flat.lights.data(),
+          bvh};
 }
 
 // A better tree costs a fraction of a second per million triangles. The choice depends on the scene alone, so

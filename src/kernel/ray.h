@@ -18,7 +18,15 @@ struct SurfaceInteraction {
   vec3 n;       // geometric unit normal, to the outside of the surface
   vec3 ns;      // shading normal, unit, on the same side
   vec3 dpdu;    // change of p with u; not normalized, may be zero
+  vec3 dpdv;
+  vec3 tangent;      // along which normal maps' x points; need not have unit length
+  float handedness;  // 1 or −1: their y points along it times cross(ns, tangent)
   vec2 uv;
+  vec2 uv1;         // the second coordinates
+  float uvDensity;  // how far uv changes in a metre, about
+  float footprint;  // diameter of what the ray sees of the surface, in metres
+  Spectrum color;   // of the vertices
+  float alpha;
   uint object;
 };
 

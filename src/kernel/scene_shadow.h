@@ -10,7 +10,11 @@
 SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi,
                                         INOUT(MediumStack) media) {
   LET(Material) material = materials[objects[it.object].material];
-  Spectrum transparency = EvalColor(material.transparency, it);
+  RoleTexels shown = TexelsAt(material, it);
+  float opacity = OpacityOf(material, shown, it.alpha);
+  if (opacity == 0.0f) return Spectrum(1.0f, 1.0f, 1.0f);
+  if (material.refractive == 0u) return Spectrum(1.0f - opacity, 1.0f - opacity, 1.0f - opacity);
+  Spectrum transparency = TransparencyAt(material, shown, it.color);
   float cosIncident = abs(Dot(wi, it.n));
   if (material.thin == 1u) {
     float fresnel =

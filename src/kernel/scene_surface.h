@@ -51,6 +51,8 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   }
   it.uv = vec2(th.b1, th.b2);
   it.dpdu = e1;
+  it.dpdv = e2;
+  float uvArea = 1.0f;
   if (mesh.uvs != None) {
     vec2 uv0 = uvs[triangle.v0 + mesh.uvs];
     vec2 uv1 = uvs[triangle.v1 + mesh.uvs];
@@ -62,7 +64,33 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     float dv2 = uv2.y - uv0.y;
     float det = du1 * dv2 - dv1 * du2;
     it.dpdu = det == 0.0f ? vec3(0.0f, 0.0f, 0.0f) : (e1 * dv2 - e2 * dv1) / det;
+    it.dpdv = det == 0.0f ? vec3(0.0f, 0.0f, 0.0f) : (e2 * du1 - e1 * du2) / det;
+    uvArea = abs(det);
   }
+  it.uv1 = it.uv;
+  if (mesh.uvs1 != None)
+    it.uv1 = uvs[triangle.v0 + mesh.uvs1] * th.b0 + uvs[triangle.v1 + mesh.uvs1] * th.b1 +
+             uvs[triangle.v2 + mesh.uvs1] * th.b2;
+  it.tangent = it.dpdu;
+  it.handedness = Dot(Cross(it.ns, it.dpdu), it.dpdv) < 0.0f ? -1.0f : 1.0f;
+  if (mesh.tangents != None) {
+    vec4 t0 = tangents[triangle.v0 + mesh.tangents];
+    vec4 t1 = tangents[triangle.v1 + mesh.tangents];
+    vec4 t2 = tangents[triangle.v2 + mesh.tangents];
+    it.tangent = vec3(t0.x, t0.y, t0.z) * th.b0 + vec3(t1.x, t1.y, t1.z) * th.b1 +
+                 vec3(t2.x, t2.y, t2.z) * th.b2;
+    it.handedness = t0.w;
+  }
+  it.color = Spectrum(1.0f, 1.0f, 1.0f);
+  it.alpha = 1.0f;
+  if (mesh.colors != None) {
+    vec4 color = colors[triangle.v0 + mesh.colors] * th.b0 +
+                 colors[triangle.v1 + mesh.colors] * th.b1 +
+                 colors[triangle.v2 + mesh.colors] * th.b2;
+    it.color = Spectrum(color.x, color.y, color.z);
+    it.alpha = color.w;
+  }
+  vec3 areaVector = Cross(e1, e2);
 
   if (instanced) {
     LET(Instance) instance = instances[hit.instance];
@@ -76,7 +104,14 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     it.n = n;
     it.ns = ToWorldNormal(instance.toWorld, it.ns);
     it.dpdu = ToWorldVector(instance.toWorld, it.dpdu);
+    it.dpdv = ToWorldVector(instance.toWorld, it.dpdv);
+    it.tangent = ToWorldVector(instance.toWorld, it.tangent);
+    if (Dot(Cross(instance.toWorld.x, instance.toWorld.y), instance.toWorld.z) < 0.0f)
+      it.handedness = -it.handedness;
+    areaVector = Cross(ToWorldVector(instance.toWorld, e1), ToWorldVector(instance.toWorld, e2));
   }
+  it.uvDensity = sqrt(uvArea / Max(Length(areaVector), 1e-30f));
+  it.footprint = 0.0f;
   it.n = Normalize(it.n);
   it.ns = Normalize(it.ns);
   return it;
@@ -85,7 +120,16 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
 SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
   if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
   LET(Shape) shape = shapes[hit.primitive];
-  return ShapeSurface(shape, ray.o, ray.d, IntersectShape(shape, ray.o, ray.d));
+  SurfaceInteraction it = ShapeSurface(shape, ray.o, ray.d, IntersectShape(shape, ray.o, ray.d));
+  it.dpdv = Cross(it.ns, it.dpdu);
+  it.tangent = it.dpdu;
+  it.handedness = 1.0f;
+  it.uv1 = it.uv;
+  it.uvDensity = 1.0f / Max(Length(it.dpdu), 1e-30f);
+  it.footprint = 0.0f;
+  it.color = Spectrum(1.0f, 1.0f, 1.0f);
+  it.alpha = 1.0f;
+  return it;
 }
 
 #endif

@@ -76,6 +76,9 @@ struct Mesh {
   uint object;   // for a mesh in world space; instances name their own
   uint normals;  // added to a vertex's index gives its normal's; None: flat
   uint uvs;      // the same for its texture coordinates
+  uint uvs1;     // for its second set of them
+  uint tangents;
+  uint colors;
 };
 
 // A mesh in its own space, placed in the world.
@@ -101,6 +104,12 @@ struct ColorSource {
   uint texture;  // None: the value holds everywhere; else it multiplies the texture
 };
 
+// A number, times one channel of a texture.
+struct ScalarSource {
+  float value;
+  uint channel;  // 0 red … 3 alpha
+};
+
 CONST uint TEXTURE_CHECKER = 0u;
 CONST uint TEXTURE_STRIPES = 1u;
 CONST uint TEXTURE_GRADIENT = 2u;
@@ -112,6 +121,14 @@ CONST uint SPACE_UV = 0u;
 CONST uint SPACE_OBJECT = 1u;
 CONST uint SPACE_WORLD = 2u;
 
+CONST uint WRAP_REPEAT = 0u;
+CONST uint WRAP_CLAMP = 1u;
+CONST uint WRAP_MIRROR = 2u;
+
+CONST uint LOOKUP_NEAREST = 0u;
+CONST uint LOOKUP_LINEAR = 1u;
+CONST uint LOOKUP_MIPMAP = 2u;
+
 struct Texture {
   uint kind;
   uint space;
@@ -121,6 +138,25 @@ struct Texture {
   uint octaves;       // of the noise
   uint smoothEdges;   // 1: a soft transition between the colours, 0: a sharp one
   Transform toSpace;  // places the pattern in its space; the kernel uses the inverse
+  uint image;
+  uint uvSet;  // 0 or 1
+  uint wrapU;
+  uint wrapV;
+  uint lookup;
+  float texelDensity;  // texels along one unit of uv space
+};
+
+CONST uint IMAGE_BYTES = 0u;   // a word a texel, red in the lowest byte
+CONST uint IMAGE_SRGB = 1u;    // the same, with red, green and blue encoded
+CONST uint IMAGE_FLOATS = 2u;  // four words a texel
+
+// A picture with its levels of detail (scene_image.h).
+struct Image {
+  uint firstWord;
+  uint encoding;
+  uint width;
+  uint height;
+  uint levels;
 };
 
 CONST uint TERM_AMBIENT = 0u;
@@ -140,6 +176,46 @@ CONST uint REFLECTION_CONSTANT = 0u;  // the reflectivity at every angle
 CONST uint REFLECTION_FRESNEL = 1u;   // the reflectivity times Fresnel's reflectance for the ior
 CONST uint REFLECTION_SCHLICK = 2u;   // the reflectivity at normal incidence, 1 at grazing
 
+// What a material's textures are for: the places in Material::textures.
+CONST uint ROLE_OPACITY = 0u;
+CONST uint ROLE_NORMAL = 1u;
+CONST uint ROLE_EMISSION = 2u;
+CONST uint ROLE_REFLECTIVITY = 3u;
+CONST uint ROLE_TRANSPARENCY = 4u;
+CONST uint ROLE_BASE_COLOR = 5u;
+CONST uint ROLE_METALNESS = 6u;
+CONST uint ROLE_SPECULAR_WEIGHT = 7u;
+CONST uint ROLE_SPECULAR_COLOR = 8u;
+CONST uint ROLE_ROUGHNESS = 9u;
+CONST uint ROLE_TRANSMISSION = 10u;
+CONST uint ROLE_COAT_WEIGHT = 11u;
+CONST uint ROLE_COAT_ROUGHNESS = 12u;
+CONST uint ROLE_FUZZ_WEIGHT = 13u;
+CONST uint ROLE_FUZZ_COLOR = 14u;
+CONST uint ROLE_FUZZ_ROUGHNESS = 15u;
+CONST uint RoleCount = 16u;
+
+// A physical (OpenPBR) material, as much of it as the classic integrator shows (physical.h).
+struct Physical {
+  Spectrum baseColor;
+  ScalarSource metalness;
+  ScalarSource specularWeight;
+  Spectrum specularColor;
+  ScalarSource roughness;
+  ScalarSource transmission;
+  Spectrum transmissionColor;
+  ScalarSource coatWeight;
+  ScalarSource coatRoughness;
+  float coatIor;
+  ScalarSource fuzzWeight;
+  Spectrum fuzzColor;
+  ScalarSource fuzzRoughness;
+};
+
+CONST uint ALPHA_OPAQUE = 0u;
+CONST uint ALPHA_MASK = 1u;   // there or not
+CONST uint ALPHA_BLEND = 2u;  // by parts
+
 struct Material {
   uint firstTerm;
   uint termCount;
@@ -149,9 +225,18 @@ struct Material {
   int priority;     // of the inside where objects overlap; the higher wins
   float ior;
   Spectrum absorption;  // per metre, inside
-  ColorSource emission;
-  ColorSource reflectivity;
-  ColorSource transparency;
+  Spectrum emission;
+  Spectrum reflectivity;
+  Spectrum transparency;
+  uint physical;             // None: classic
+  uint textured;             // 1: some role has a texture
+  uint textures[RoleCount];  // by role; None: there is none. They multiply the values
+  uint alphaMode;
+  ScalarSource opacity;
+  float alphaCutoff;
+  vec2 normalScale;
+  uint bumpMap;     // a texture, or None
+  float bumpScale;  // metres from black to white
 };
 
 CONST uint LIGHT_POINT = 0u;
@@ -221,6 +306,8 @@ struct RenderParams {
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut
   uint seed;
+  float coneWidth;   // of camera rays: their diameter at the start, in metres,
+  float coneSpread;  // and how it grows with the distance
   float filterQuantiles[FilterQuantileCount];  // pixels; scene_filter.h
 };
 

@@ -28,6 +28,7 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   s.branch.ray = GenerateRay(params.camera, place);
   s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f);
   s.branch.depth = 1u;
+  s.branch.coneWidth = params.coneWidth;
   s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
   s.alive = 1u;
   s.rays.camera += 1u;
@@ -65,17 +66,21 @@ SCENE_FN uint LightSampleCount(IN(Light) light, Spectrum weight) {
   return uint(Max(wanted + 0.999f, 1.0f));
 }
 
-// The light that a surface sends towards wo by its shader terms. Normals `n` and `ns` are on wo's side.
+// The light that a surface sends towards wo by its shader terms, or by its physical material. Normals `n` and
+// `ns` are on wo's side.
 SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(Material) material,
-                          IN(Shares) shares, vec3 wo, vec3 n, vec3 ns, IN(MediumStack) media) {
+                          IN(PhysicalPoint) point, IN(Shares) shares, vec3 wo, vec3 n, vec3 ns,
+                          IN(MediumStack) media) {
   // Evaluate the colours once for all lights
-  Spectrum colors[8];
+  Spectrum termColors[8];
   Spectrum L = Spectrum(0.0f, 0.0f, 0.0f);
-  bool lit = false;
+  bool isPhysical = material.physical != None;
+  bool lit = isPhysical;
+  if (isPhysical) L = PhysicalAmbient(point, Max(Dot(ns, wo), 0.0f)) * params.ambient;
   for (uint i = 0u; i < material.termCount; ++i) {
     LET(Term) term = terms[material.firstTerm + i];
     Spectrum color = TermColor(term, it, shares);
-    if (i < CachedTerms) colors[i] = color;
+    if (i < CachedTerms) termColors[i] = color;
     if (term.kind == TERM_AMBIENT) {
       L += color * params.ambient;
     } else if (!IsBlack(color)) {
@@ -97,12 +102,13 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(M
 
       // Add up the terms, then see whether the light arrives
       Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
+      if (isPhysical) f = EvalPhysical(point, ns, wo, li.wi);
       for (uint k = 0u; k < material.termCount; ++k) {
         LET(Term) term = terms[material.firstTerm + k];
         float lobe = EvalTerm(term.kind, term.normalized == 1u, term.exponent, ns, wo, li.wi);
         if (lobe <= 0.0f) continue;
         if (k < CachedTerms) {
-          f += colors[k] * lobe;
+          f += termColors[k] * lobe;
         } else {
           f += TermColor(term, it, shares) * lobe;
         }
@@ -149,12 +155,35 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   LET(Material) material = materials[object.material];
   vec3 wo = -ray.d;
   vec3 n = FaceForward(it.n, wo);
-  vec3 ns = FaceForward(it.ns, n);
+  float coneWidth = branch.coneWidth + params.coneSpread * it.t;
+  it.footprint = coneWidth / Max(abs(Dot(n, wo)), 0.05f);
 
   // Absorb on the way through the medium that the ray came through
   MediumStack media = MediaBehind(branch.media, it, ray.d);
   uint inside = CurrentMedium(media);
   branch.weight = branch.weight * MediumTransmittance(inside, it.t);
+
+  // Let pass what the surface leaves open
+  RoleTexels shown = TexelsAt(material, it);
+  float opacity = OpacityOf(material, shown, it.alpha);
+  if (opacity < 1.0f) {
+    WhittedBranch open = branch;
+    open.weight = branch.weight * (1.0f - opacity);
+    open.media = media;
+    open.ray.o = OffsetRayOrigin(it.p, it.pError, n, ray.d);
+    open.coneWidth = coneWidth;
+    if (opacity == 0.0f) {
+      s.branch = open;
+      return;
+    }
+    open.depth = branch.depth + 1u;
+    if (branch.depth < params.maxDepth &&
+        MaxChannel(open.weight) >= Max(params.minContribution, LeastWeight))
+      WhittedWait(s, open);
+    branch.weight = branch.weight * opacity;
+  }
+  it.ns = MappedNormal(material, it, shown);
+  vec3 ns = FaceForward(it.ns, n);
 
   // The surface of an area light shines from its front
   if (object.light != None) {
@@ -186,16 +215,26 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   float cosRefracted = RefractedCosine(cosIncident, eta);
   float fresnel = FrDielectric(cosIncident, cosRefracted, eta);
   if (material.thin == 1u) fresnel = SheetReflectance(fresnel);
-  Spectrum transparency = Spectrum(0.0f, 0.0f, 0.0f);
-  if (material.refractive == 1u) transparency = EvalColor(material.transparency, it);
-  Spectrum reflectivity = ReflectivityAt(material.reflection, EvalColor(material.reflectivity, it),
-                                         cosIncident, material.ior / MediumIor(inside));
-  Shares shares = ShareLight(transparency, reflectivity, fresnel);
+  Spectrum transparency = TransparencyAt(material, shown, it.color);
+  PhysicalPoint point = NoPhysicalPoint();
+  Shares shares;
+  if (material.physical == None) {
+    Spectrum reflectivity = material.reflectivity * ShownColor(shown, ROLE_REFLECTIVITY);
+    shares = ShareLight(transparency,
+                        ReflectivityAt(material.reflection, reflectivity, cosIncident,
+                                       material.ior / MediumIor(inside)),
+                        fresnel);
+  } else {
+    point = PhysicalAt(material, shown, it.color, material.ior / MediumIor(inside));
+    shares = ShareLight(transparency, Spectrum(0.0f, 0.0f, 0.0f), fresnel);
+    shares.reflection = PhysicalReflectivity(point, cosIncident) * (1.0f - point.transmission) +
+                        Spectrum(fresnel, fresnel, fresnel) * point.transmission;
+  }
 
   // Add the light of the surface itself
   s.branch.weight = branch.weight;
-  s.L += branch.weight *
-         (EvalColor(material.emission, it) + TermsLo(s, it, material, shares, wo, n, ns, media));
+  s.L += branch.weight * (material.emission * ShownColor(shown, ROLE_EMISSION) +
+                          TermsLo(s, it, material, point, shares, wo, n, ns, media));
 
   // Follow the lesser branch, let the greater wait
   Spectrum reflectedWeight = branch.weight * shares.reflection;
@@ -206,6 +245,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   bool refracts = deeper && MaxChannel(refractedWeight) >= least;
   WhittedBranch reflected = branch;
   reflected.depth = branch.depth + 1u;
+  reflected.coneWidth = coneWidth;
   WhittedBranch refracted = reflected;
   if (reflects) {
     reflected.ray.d = ReflectOutside(ray.d, n, ns);

@@ -16,6 +16,8 @@ struct WhittedBranch {
   Ray ray;
   Spectrum weight;  // what its radiance counts in the pixel
   uint depth;       // 1 for rays from the camera
+  float
+      coneWidth;  // diameter at the origin of what the ray stands for (Akenine-Möller et al. 2021), metres
   MediumStack media;
 };
 

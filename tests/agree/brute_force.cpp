@@ -52,15 +52,22 @@ struct BruteForceKernel {
   const vec3* positions;
   const vec3* normals;
   const vec2* uvs;
+  const vec4* tangents;
+  const vec4* colors;
   const Material* materials;
   const Term* terms;
+  const Physical* physicals;
   const Texture* textures;
+  const Image* images;
+  const uint* texels;
   const Light* lights;
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/scene_filter.h"
+#include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_texture.h"
@@ -90,11 +97,12 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,           CountsOf(scene),        scene.objects.data(),
-                          scene.shapes.data(),    scene.instances.data(), scene.meshes.data(),
-                          scene.triangles.data(), scene.positions.data(), scene.normals.data(),
-                          scene.uvs.data(),       scene.materials.data(), scene.terms.data(),
-                          scene.textures.data(),  scene.lights.data(),    {}};
+  BruteForceKernel kernel{
+      scene.params,           CountsOf(scene),     scene.objects.data(),   scene.shapes.data(),
+      scene.instances.data(), scene.meshes.data(), scene.triangles.data(), scene.positions.data(),
+      scene.normals.data(),   scene.uvs.data(),    scene.tangents.data(),  scene.colors.data(),
+      scene.materials.data(), scene.terms.data(),  scene.physicals.data(), scene.textures.data(),
+      scene.images.data(),    scene.texels.data(), scene.lights.data(),    {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

@@ -9,13 +9,25 @@ using namespace kernel;
 
 std::vector<Spectrum> RenderByBvh(const cpu::FlatScene& scene, const bvh::Bvh& bvh,
                                   std::uint32_t sample) {
-  cpu::Kernel kernel{scene.params,           scene.objects.data(),
-                     scene.shapes.data(),    scene.instances.data(),
-                     scene.meshes.data(),    scene.triangles.data(),
-                     scene.positions.data(), scene.normals.data(),
-                     scene.uvs.data(),       scene.materials.data(),
-                     scene.terms.data(),     scene.textures.data(),
-                     scene.lights.data(),    bvh};
+  cpu::Kernel kernel{scene.params,
+                     scene.objects.data(),
+                     scene.shapes.data(),
+                     scene.instances.data(),
+                     scene.meshes.data(),
+                     scene.triangles.data(),
+                     scene.positions.data(),
+                     scene.normals.data(),
+                     scene.uvs.data(),
+                     scene.tangents.data(),
+                     scene.colors.data(),
+                     scene.materials.data(),
+                     scene.terms.data(),
+                     scene.physicals.data(),
+                     scene.textures.data(),
+                     scene.images.data(),
+                     scene.texels.data(),
+                     scene.lights.data(),
+                     bvh};
   const uvec2 resolution = scene.params.camera.resolution;
   std::vector<Spectrum> radiance;
   WhittedState state;

@@ -109,15 +109,40 @@ TEST(Coverage, Materials) {
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.absorption.x > 0; }));
-  for (const auto source : {&Material::emission, &Material::reflectivity, &Material::transparency})
+  for (const uint role : {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY,
+                          ROLE_NORMAL, ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS})
     EXPECT_TRUE(
-        any_of(materials, [&](const Material& m) { return (m.*source).texture != kernel::None; }));
+        any_of(materials, [&](const Material& m) { return m.textures[role] != kernel::None; }));
+}
+
+TEST(Coverage, PhysicalMaterialsAndMaps) {
+  const auto materials = Every(&FlatScene::materials);
+  EXPECT_EQ(Values(materials, &Material::alphaMode), TagsTo(ALPHA_BLEND));
+  for (const auto map : {&Material::physical, &Material::bumpMap})
+    EXPECT_TRUE(any_of(materials, [&](const Material& m) { return m.*map != kernel::None; }));
+  const auto meshes = Every(&FlatScene::meshes);
+  for (const auto offset : {&Mesh::uvs1, &Mesh::tangents, &Mesh::colors})
+    EXPECT_TRUE(any_of(meshes, [&](const Mesh& m) { return m.*offset != kernel::None; }));
+  const auto physicals = Every(&FlatScene::physicals);
+  for (const auto source : {&Physical::metalness, &Physical::transmission, &Physical::coatWeight,
+                            &Physical::fuzzWeight})
+    EXPECT_TRUE(any_of(physicals, [&](const Physical& p) { return (p.*source).value > 0; }));
+}
+
+TEST(Coverage, PicturesInEveryEncodingWrapAndFilter) {
+  EXPECT_EQ(Values(Every(&FlatScene::images), &Image::encoding), TagsTo(IMAGE_FLOATS));
+  std::set<uint> found;
+  for (const Texture& t : Every(&FlatScene::textures)) {
+    if (t.image != kernel::None) found.insert(t.wrapU * 3 + t.lookup);
+  }
+  EXPECT_EQ(found, TagsTo(WRAP_MIRROR * 3 + LOOKUP_MIPMAP));
 }
 
 TEST(Coverage, TexturesInEverySpaceSharpAndSmooth) {
   std::set<uint> found;
-  for (const Texture& t : Every(&FlatScene::textures))
-    found.insert((t.kind * 3 + t.space) * 2 + t.smoothEdges);
+  for (const Texture& t : Every(&FlatScene::textures)) {
+    if (t.kind != TEXTURE_IMAGE) found.insert((t.kind * 3 + t.space) * 2 + t.smoothEdges);
+  }
   EXPECT_EQ(found, TagsTo((TEXTURE_WOOD * 3 + SPACE_WORLD) * 2 + 1));
 }
 

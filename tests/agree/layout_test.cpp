@@ -36,6 +36,7 @@ SNELL_GLSL_NAME(vec3)
 SNELL_GLSL_NAME(uvec2)
 SNELL_GLSL_NAME(Camera)
 SNELL_GLSL_NAME(ColorSource)
+SNELL_GLSL_NAME(ScalarSource)
 SNELL_GLSL_NAME(Environment)
 SNELL_GLSL_NAME(Transform)
 #undef SNELL_GLSL_NAME
@@ -43,6 +44,11 @@ template <>
 const char* NameInGlsl<float[FilterQuantileCount]>() {
   static const std::string name = fmt::format("float[{}]", FilterQuantileCount);
   return name.c_str();
+}
+
+template <>
+const char* NameInGlsl<uint[RoleCount]>() {
+  return "uint[16]";
 }
 
 struct Record {
@@ -75,7 +81,10 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Triangle),
         {MEMBER(Triangle, v0), MEMBER(Triangle, v1), MEMBER(Triangle, v2),
          MEMBER(Triangle, mesh)}}},
-      {"Mesh", {sizeof(Mesh), {MEMBER(Mesh, object), MEMBER(Mesh, normals), MEMBER(Mesh, uvs)}}},
+      {"Mesh",
+       {sizeof(Mesh),
+        {MEMBER(Mesh, object), MEMBER(Mesh, normals), MEMBER(Mesh, uvs), MEMBER(Mesh, uvs1),
+         MEMBER(Mesh, tangents), MEMBER(Mesh, colors)}}},
       {"Instance",
        {sizeof(Instance),
         {MEMBER(Instance, object), MEMBER(Instance, root), MEMBER(Instance, firstTriangle),
@@ -84,17 +93,38 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Texture),
         {MEMBER(Texture, kind), MEMBER(Texture, space), MEMBER(Texture, colorA),
          MEMBER(Texture, colorB), MEMBER(Texture, turbulence), MEMBER(Texture, octaves),
-         MEMBER(Texture, smoothEdges), MEMBER(Texture, toSpace)}}},
+         MEMBER(Texture, smoothEdges), MEMBER(Texture, toSpace), MEMBER(Texture, image),
+         MEMBER(Texture, uvSet), MEMBER(Texture, wrapU), MEMBER(Texture, wrapV),
+         MEMBER(Texture, lookup), MEMBER(Texture, texelDensity)}}},
+      {"Image",
+       {sizeof(Image),
+        {MEMBER(Image, firstWord), MEMBER(Image, encoding), MEMBER(Image, width),
+         MEMBER(Image, height), MEMBER(Image, levels)}}},
+      {"ScalarSource",
+       {sizeof(ScalarSource), {MEMBER(ScalarSource, value), MEMBER(ScalarSource, channel)}}},
+      {"Physical",
+       {sizeof(Physical),
+        {MEMBER(Physical, baseColor), MEMBER(Physical, metalness), MEMBER(Physical, specularWeight),
+         MEMBER(Physical, specularColor), MEMBER(Physical, roughness),
+         MEMBER(Physical, transmission), MEMBER(Physical, transmissionColor),
+         MEMBER(Physical, coatWeight), MEMBER(Physical, coatRoughness), MEMBER(Physical, coatIor),
+         MEMBER(Physical, fuzzWeight), MEMBER(Physical, fuzzColor),
+         MEMBER(Physical, fuzzRoughness)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
          MEMBER(Term, color)}}},
       {"Material",
-       {sizeof(Material),
-        {MEMBER(Material, firstTerm), MEMBER(Material, termCount), MEMBER(Material, reflection),
-         MEMBER(Material, refractive), MEMBER(Material, thin), MEMBER(Material, priority),
-         MEMBER(Material, ior), MEMBER(Material, absorption), MEMBER(Material, emission),
-         MEMBER(Material, reflectivity), MEMBER(Material, transparency)}}},
+       {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
+                           MEMBER(Material, reflection),   MEMBER(Material, refractive),
+                           MEMBER(Material, thin),         MEMBER(Material, priority),
+                           MEMBER(Material, ior),          MEMBER(Material, absorption),
+                           MEMBER(Material, emission),     MEMBER(Material, reflectivity),
+                           MEMBER(Material, transparency), MEMBER(Material, physical),
+                           MEMBER(Material, textured),     MEMBER(Material, textures),
+                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
+                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
+                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
         {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
@@ -117,6 +147,7 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
          MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
+         MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
          MEMBER(RenderParams, filterQuantiles)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
@@ -124,6 +155,8 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(PrimitiveCounts, instances)}}},
       {"vec2", {sizeof(vec2), {}}},
       {"vec3", {sizeof(vec3), {}}},
+      {"vec4", {sizeof(vec4), {}}},
+      {"uint", {sizeof(uint), {}}},
   };
 }
 
@@ -148,7 +181,7 @@ TEST(Layout, MembersStandWhereCppPutsThem) {
     EXPECT_EQ(Describe(record.members), Describe(records[record.name].members)) << record.name;
     ++found;
   }
-  EXPECT_GE(found, records.size() - 2) << "the shader's buffers lack a record of the table";
+  EXPECT_GE(found, records.size() - 4) << "the shader's buffers lack a record of the table";
 }
 
 TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
@@ -159,7 +192,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 11u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 15u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -19,6 +19,11 @@ SceneBuilder::SceneBuilder(std::string name, vec3 eye, vec3 target) {
   scene_.cameras.push_back(camera);
 }
 
+int SceneBuilder::Add(scene::Image image) {
+  scene_.images.push_back(std::move(image));
+  return int(scene_.images.size()) - 1;
+}
+
 int SceneBuilder::Add(scene::Texture texture) {
   scene_.textures.push_back(std::move(texture));
   return int(scene_.textures.size()) - 1;

@@ -20,6 +20,7 @@ class SceneBuilder {
   // 64 × 64 pixels; a camera at `eye` that looks at `target`, 45 degrees wide; no light.
   SceneBuilder(std::string name, vec3 eye, vec3 target);
 
+  int Add(scene::Image image);
   int Add(scene::Texture texture);
   int Add(scene::Material material);
   int Add(scene::Mesh mesh);

@@ -17,6 +17,7 @@ namespace snell::agree {
 std::vector<scene::Scene> ScenesOfShapes();
 std::vector<scene::Scene> ScenesOfLights();
 std::vector<scene::Scene> ScenesOfMaterials();
+std::vector<scene::Scene> ScenesOfPictures();
 std::vector<scene::Scene> ScenesOfGlass();
 
 // All of them.

@@ -116,7 +116,8 @@ class Soup {
     for (const uvec3 t : mesh.triangles)
       triangles_.push_back({first + t.x, first + t.y, first + t.z, unsigned(meshes_.size())});
     positions_.insert(positions_.end(), mesh.positions.begin(), mesh.positions.end());
-    meshes_.push_back({object, kernel::None, kernel::None});
+    meshes_.push_back(
+        {object, kernel::None, kernel::None, kernel::None, kernel::None, kernel::None});
   }
 
   std::vector<kernel::vec3> positions_;

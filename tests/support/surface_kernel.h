@@ -20,6 +20,8 @@ struct SurfaceKernel {
   const vec3* positions = nullptr;
   const vec3* normals = nullptr;
   const vec2* uvs = nullptr;
+  const vec4* tangents = nullptr;
+  const vec4* colors = nullptr;
   const Instance* instances = nullptr;
   const Shape* shapes = nullptr;
 
@@ -34,7 +36,7 @@ struct MeshScene {
   mutable SurfaceKernel kernel;  // its functions are not const, as GLSL has no such thing
 
   explicit MeshScene(const TriangleMesh& mesh)
-      : positions(mesh.positions), meshes{{0, None, None}} {
+      : positions(mesh.positions), meshes{{0, None, None, None, None, None}} {
     for (const uvec3 t : mesh.triangles) triangles.push_back({t.x, t.y, t.z, 0});
     kernel.triangles = triangles.data();
     kernel.meshes = meshes.data();

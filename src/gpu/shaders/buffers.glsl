@@ -20,9 +20,14 @@ layout(scalar, set = 0, binding = 6) readonly buffer TriangleBuffer { Triangle t
 layout(scalar, set = 0, binding = 7) readonly buffer PositionBuffer { vec3 positions[]; };
 layout(scalar, set = 0, binding = 8) readonly buffer NormalBuffer { vec3 normals[]; };
 layout(scalar, set = 0, binding = 9) readonly buffer UvBuffer { vec2 uvs[]; };
-layout(scalar, set = 0, binding = 10) readonly buffer MaterialBuffer { Material materials[]; };
-layout(scalar, set = 0, binding = 11) readonly buffer TermBuffer { Term terms[]; };
-layout(scalar, set = 0, binding = 12) readonly buffer TextureBuffer { Texture textures[]; };
-layout(scalar, set = 0, binding = 13) readonly buffer LightBuffer { Light lights[]; };
+layout(scalar, set = 0, binding = 10) readonly buffer TangentBuffer { vec4 tangents[]; };
+layout(scalar, set = 0, binding = 11) readonly buffer ColorBuffer { vec4 colors[]; };
+layout(scalar, set = 0, binding = 12) readonly buffer MaterialBuffer { Material materials[]; };
+layout(scalar, set = 0, binding = 13) readonly buffer TermBuffer { Term terms[]; };
+layout(scalar, set = 0, binding = 14) readonly buffer PhysicalBuffer { Physical physicals[]; };
+layout(scalar, set = 0, binding = 15) readonly buffer TextureBuffer { Texture textures[]; };
+layout(scalar, set = 0, binding = 16) readonly buffer ImageBuffer { Image images[]; };
+layout(scalar, set = 0, binding = 17) readonly buffer TexelBuffer { uint texels[]; };
+layout(scalar, set = 0, binding = 18) readonly buffer LightBuffer { Light lights[]; };
 
 #endif

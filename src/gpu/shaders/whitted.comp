@@ -14,14 +14,16 @@
 WhittedBranch branches[WhittedStackSize];
 
 #include "kernel/scene_filter.h"
+#include "kernel/scene_image.h"
 #include "kernel/scene_texture.h"
+#include "kernel/scene_physical.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/whitted.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 14) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 19) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {
