@@ -195,8 +195,7 @@ TEST(MeshObj, SaysWhatItLeavesOut) {
                                       "1 line statement left out, the first one 'l'",
                                       "2 free-form statements left out, the first one 'vp'",
                                       "1 unknown statement left out, the first one 'bleh'",
-                                      "the file's materials are not read",
-                                      "the vertices' colors are not used"}));
+                                      "the file's materials are not read"}));
 }
 
 TEST(MeshObj, ErrorsNameTheLine) {
