@@ -7,14 +7,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <istream>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "image/color.h"
+#include "io/mesh_colors.h"
 #include "io/mesh_obj_lines.h"
 #include "io/mesh_readers.h"
 #include "io/mesh_text.h"
@@ -53,7 +52,11 @@ class ObjBuilder {
   FaceSet Take() {
     if (highest_ >= 0 && std::uint64_t(highest_) >= faces_.positions.size())
       FailIndex(highest_ + 1, "vertex", faces_.positions.size(), highestLine_);
-    if (!faces_.colors.empty()) DecodeColors();
+    // Blender and MeshLab write sRGB. Vertices without a color are white
+    if (!faces_.colors.empty()) {
+      faces_.colors.resize(faces_.positions.size(), scene::vec4(1.0f));
+      DecodeColors(faces_, ColorCode::Srgb, file_);
+    }
     return std::move(faces_);
   }
 
@@ -87,18 +90,6 @@ class ObjBuilder {
                        Resolve(corners[i].normal_index, "normal", faces_.normals.size()));
     }
     faces_.EndFace(std::uint32_t(count));
-  }
-
-  // Colors are sRGB, as pictures are: Blender and MeshLab write them so. Vertices without one are white.
-  void DecodeColors() {
-    faces_.colors.resize(faces_.positions.size(), scene::vec4(1.0f));
-    const bool wide = std::any_of(faces_.colors.begin(), faces_.colors.end(),
-                                  [](const auto& c) { return c.x > 1 || c.y > 1 || c.z > 1; });
-    if (wide) file_.Warn("the vertices' colors exceed 1: read as 0 to 255", file_.AtLine(0));
-    for (scene::vec4& color : faces_.colors) {
-      const scene::vec3 code = scene::vec3(color) / (wide ? 255.0f : 1.0f);
-      color = scene::vec4(image::DecodeSrgb(glm::clamp(code, 0.0f, 1.0f)), 1.0f);
-    }
   }
 
   // The index from 0 that stands for one from 1, for one back from the newest element, or for none.

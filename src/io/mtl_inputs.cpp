@@ -50,7 +50,7 @@ ColorInput MtlConverter::Color(const MtlMaterial& mtl, MtlColor key, MtlMapKey m
   input.value = Clamped(mtl, mtl.Of(key).value_or(absent), reflectance ? 1.0f : 1e9f);
   input.texture = Load(mtl, map, ImageUse::Color);
   const bool unsaid = !mtl.Of(key) || input.value == Spectrum(0.0f);
-  if (input.texture >= 0 && unsaid) input.value = Spectrum(1.0f);
+  if (mtl.Of(map) && unsaid) input.value = input.texture >= 0 ? Spectrum(1.0f) : absent;
   return input;
 }
 
@@ -117,10 +117,9 @@ const MtlConverter::Facts& MtlConverter::FactsOf(scene::ImageIndex image) {
   return facts;
 }
 
-// A texture like that of exponents, of which 1 is `scale`, with the roughness that each stands for.
-scene::TextureIndex MtlConverter::BakeRoughness(scene::TextureIndex exponents, int channel,
-                                                float scale) {
-  scene::Texture texture = scene_.textures[std::size_t(exponents)];
+// Turn a texture of exponents, of which 1 is `scale`, into one of the roughness that each stands for.
+bool MtlConverter::BakeRoughness(scene::TextureIndex exponents, int channel, float scale) {
+  scene::Texture& texture = scene_.textures[std::size_t(exponents)];
   const auto [entry, isNew] = baked_.try_emplace({texture.image, channel, scale}, -1);
   if (isNew) {
     const scene::Image& source = scene_.images[std::size_t(texture.image)];
@@ -131,7 +130,7 @@ scene::TextureIndex MtlConverter::BakeRoughness(scene::TextureIndex exponents, i
     const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
     if ((bakedTexels_ += count) > MaxBakedTexels) {
       findings_.Add("map of exponents", "left out: together they are too large", source.name, {});
-      return -1;
+      return false;
     }
     image.bytes.assign(count * 4, 255);
     for (std::size_t i = 0; i < count; ++i) {
@@ -144,10 +143,9 @@ scene::TextureIndex MtlConverter::BakeRoughness(scene::TextureIndex exponents, i
     scene_.images.push_back(std::move(image));
     entry->second = scene::ImageIndex(scene_.images.size()) - 1;
   }
-  if (entry->second < 0) return -1;
+  if (entry->second < 0) return false;
   texture.image = entry->second;
-  scene_.textures.push_back(texture);
-  return scene::TextureIndex(scene_.textures.size()) - 1;
+  return true;
 }
 
 }  // namespace snell::io

@@ -101,10 +101,11 @@ void MtlConverter::ConvertRoughness(const MtlMaterial& mtl, OpenPbr& pbr) {
   }
   const float exponent = Number(mtl, MtlNumber::Ns, 0, 0, 1e6f);
   if (const int texture = Load(mtl, MtlMapKey::Ns, ImageUse::Data); texture >= 0) {
-    const int baked =
-        BakeRoughness(texture, ChannelOf(mtl, MtlMapKey::Ns), exponent > 0 ? exponent : 1000.0f);
-    if (baked >= 0) pbr.specularRoughness = {1, baked, 0};
-    if (baked >= 0) return;
+    const float white = exponent > 0 ? exponent : 1000.0f;
+    if (BakeRoughness(texture, ChannelOf(mtl, MtlMapKey::Ns), white)) {
+      pbr.specularRoughness = {1, texture, 0};
+      return;
+    }
   }
   pbr.specularRoughness.value = RoughnessOfExponent(exponent);
 }

@@ -47,7 +47,7 @@ class MtlConverter {
   scene::Spectrum Clamped(const MtlMaterial& mtl, scene::Spectrum color, float most);
   scene::TextureIndex Load(const MtlMaterial& mtl, MtlMapKey map, ImageUse use);
   int ChannelOf(const MtlMaterial& mtl, MtlMapKey map);
-  scene::TextureIndex BakeRoughness(scene::TextureIndex exponents, int channel, float scale);
+  bool BakeRoughness(scene::TextureIndex exponents, int channel, float scale);
   Place PlaceOf(const MtlMaterial& mtl, int line = 0) const;
 
   // What a picture holds, found once for each.

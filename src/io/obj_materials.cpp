@@ -64,7 +64,7 @@ class LibraryReader {
     const std::optional<fs::path> path = Find(name);
     if (!path) {
       missing_ = true;
-      findings_.Add("material library", "not found in the file's folder", name, file_.AtLine(line));
+      findings_.Add("material file", "not found in the file's folder", name, file_.AtLine(line));
       return;
     }
     if (!seen_.insert(path->string()).second) return;

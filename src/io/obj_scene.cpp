@@ -45,7 +45,7 @@ struct Grouping {
 // Keep apart as many words as the limit allows. A body of glass that is cut into groups stays one: light
 // that enters it by one group leaves by another.
 Grouping GroupParts(const ObjParts& parts, const std::vector<scene::MaterialIndex>& materialOf,
-                    const scene::Scene& scene) {
+                    const scene::Scene& scene, const MeshFile& file) {
   for (int words = 2;; --words) {
     Grouping grouping;
     std::map<ObjectKey, std::size_t> known;
@@ -59,7 +59,13 @@ Grouping GroupParts(const ObjParts& parts, const std::vector<scene::MaterialInde
       if (isNew) grouping.objects.push_back(key);
       grouping.objectOf.push_back(entry->second);
     }
-    if (words == 0 || grouping.objects.size() <= MaxObjects) return grouping;
+    if (words > 0 && grouping.objects.size() > MaxObjects) continue;
+    if (words < 2)
+      file.Warn(fmt::format("{} are too many to be kept apart: merged into {}",
+                            Plural(parts.parts().size(), "group"),
+                            Plural(grouping.objects.size(), "object")),
+                file.AtLine(0));
+    return grouping;
   }
 }
 
@@ -139,7 +145,7 @@ scene::Scene ReadObjects(const std::filesystem::path& path, const MeshReadOption
   scene::Scene scene;
   const std::vector<scene::MaterialIndex> materialOf =
       ReadObjMaterials(obj.parts, file, !mesh.colors.empty(), scene);
-  const Grouping grouping = GroupParts(obj.parts, materialOf, scene);
+  const Grouping grouping = GroupParts(obj.parts, materialOf, scene, file);
   const std::string stem = path.stem().string();
   if (grouping.objects.size() == 1) {
     const std::string name = obj.parts.OnlyName();
