@@ -22,8 +22,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// More is a mistake or an attack.
+// What one scene may hold; more is a mistake or an attack.
 constexpr std::size_t MaxImages = 65536;
+constexpr std::uint64_t MaxTexels = std::uint64_t(1) << 30;
 // Missing files that are told one by one.
 constexpr int MaxWarnings = 32;
 
@@ -93,7 +94,16 @@ ImageLoader::ImageLoader(fs::path root, WarningSink warn)
 
 scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, ImageUse use,
                                     const Place& place, const fs::path& folder) {
-  const std::optional<fs::path> path = finder_.Find(folder.empty() ? finder_.root() : folder, name);
+  const fs::path& from = folder.empty() ? finder_.root() : folder;
+  const auto [entry, isNew] = named_.try_emplace({from.string(), std::string(name), use}, -1);
+  if (isNew) entry->second = LoadFirst(scene, from, name, use, place);
+  return entry->second;
+}
+
+// The picture of a name that was not asked for before; its file may have been, by another name.
+scene::ImageIndex ImageLoader::LoadFirst(scene::Scene& scene, const fs::path& folder,
+                                         std::string_view name, ImageUse use, const Place& place) {
+  const std::optional<fs::path> path = finder_.Find(folder, name);
   if (!path) {
     if (missing_.emplace(name).second)
       Warn(fmt::format("the picture {} is not found in the scene's folder", Quoted(name)), place);
@@ -106,7 +116,10 @@ scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, 
   if (!isNew) return entry->second;
   if (scene.images.size() >= MaxImages) throw Error("too many pictures", place);
   try {
-    scene.images.push_back(DecodeTexels(ReadFile(*path), path->string(), use));
+    scene::Image texels = DecodeTexels(ReadFile(*path), path->string(), use);
+    texels_ += std::uint64_t(texels.width) * std::uint64_t(texels.height);
+    if (texels_ > MaxTexels) throw Error("all pictures together are too large", {path->string()});
+    scene.images.push_back(std::move(texels));
     entry->second = scene::ImageIndex(scene.images.size()) - 1;
   } catch (const Error& error) {
     const Diagnostic& cause = error.diagnostics().front();

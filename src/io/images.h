@@ -4,11 +4,13 @@
 // materials show it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "image/image.h"
@@ -37,13 +39,17 @@ class ImageLoader {
                          const Place& place, const std::filesystem::path& folder = {});
 
  private:
+  scene::ImageIndex LoadFirst(scene::Scene& scene, const std::filesystem::path& folder,
+                              std::string_view name, ImageUse use, const Place& place);
   void Warn(std::string message, const Place& place);
 
   FileFinder finder_;
   WarningSink warn_;
   int warnings_ = 0;
-  std::map<std::pair<std::string, ImageUse>, scene::ImageIndex> loaded_;  // by path
-  std::set<std::string> missing_;                                         // names
+  std::uint64_t texels_ = 0;
+  std::map<std::tuple<std::string, std::string, ImageUse>, scene::ImageIndex> named_;  // by folder
+  std::map<std::pair<std::string, ImageUse>, scene::ImageIndex> loaded_;               // by path
+  std::set<std::string> missing_;                                                      // names
 };
 
 }  // namespace snell::io

@@ -129,7 +129,7 @@ bool MtlConverter::BakeRoughness(scene::TextureIndex exponents, int channel, flo
     image.height = source.height;
     const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
     if ((bakedTexels_ += count) > MaxBakedTexels) {
-      findings_.Add("map of exponents", "left out: together they are too large", source.name, {});
+      findings_.Add("exponent map", "left out: together they are too large", source.name, {});
       return false;
     }
     image.bytes.assign(count * 4, 255);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "kernel/values.h"
+#include <initializer_list>
+#include <numbers>
 
 namespace snell::io {
 namespace {
@@ -115,7 +115,7 @@ void MtlConverter::ConvertLayers(const MtlMaterial& mtl, OpenPbr& pbr) {
   pbr.coatWeight = Scalar(mtl, MtlNumber::Pc, MtlMapKey::Pc, 0);
   pbr.coatRoughness = Scalar(mtl, MtlNumber::Pcr, MtlMapKey::Pcr, 0);
   pbr.specularRoughnessAnisotropy = Scalar(mtl, MtlNumber::Aniso, MtlMapKey::Aniso, 0);
-  pbr.anisotropyRotation = 2 * kernel::Pi * Number(mtl, MtlNumber::Anisor, 0, -1, 1);
+  pbr.anisotropyRotation = 2 * std::numbers::pi_v<float> * Number(mtl, MtlNumber::Anisor, 0, -1, 1);
 }
 
 void MtlConverter::ConvertTransparency(const MtlMaterial& mtl, scene::Material& material) {

@@ -60,7 +60,7 @@ Grouping GroupParts(const ObjParts& parts, const std::vector<scene::MaterialInde
       grouping.objectOf.push_back(entry->second);
     }
     if (words > 0 && grouping.objects.size() > MaxObjects) continue;
-    if (words < 2)
+    if (words < 2 && grouping.objects.size() < parts.parts().size())
       file.Warn(fmt::format("{} are too many to be kept apart: merged into {}",
                             Plural(parts.parts().size(), "group"),
                             Plural(grouping.objects.size(), "object")),
