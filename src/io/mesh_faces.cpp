@@ -23,6 +23,14 @@ using scene::uvec3;
 using scene::vec2;
 using scene::vec3;
 
+// Beyond, areas are infinite and nothing can be told of a triangle.
+constexpr float LargestCoordinate = 1e18f;
+
+bool IsUsable(const vec3& p) {
+  return std::abs(p.x) <= LargestCoordinate && std::abs(p.y) <= LargestCoordinate &&
+         std::abs(p.z) <= LargestCoordinate;
+}
+
 bool IsFinite(const vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -66,7 +74,7 @@ std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file) {
     places.clear();
     for (std::uint64_t i = first; i < first + size; ++i)
       places.push_back(faces.positions[faces.positionOf[i]]);
-    if (std::all_of(places.begin(), places.end(), IsFinite))
+    if (std::all_of(places.begin(), places.end(), IsUsable))
       cutter.Cut(places, std::uint32_t(first), triangles);
     else
       ++undefined;
@@ -74,7 +82,7 @@ std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file) {
   }
 
   if (undefined > 0)
-    file.Warn(fmt::format("{} with infinite or undefined coordinates left out",
+    file.Warn(fmt::format("{} with infinite, huge or undefined coordinates left out",
                           Plural(undefined, "face")),
               file.AtLine(0));
   if (cutter.crossing() > 0)
