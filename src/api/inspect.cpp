@@ -73,7 +73,7 @@ SceneInfo::Item Describe(const scene::Material& material) {
 }
 
 SceneInfo::Item Describe(const scene::Texture& texture) {
-  static constexpr const char* Kinds[] = {"checker", "stripes", "gradient", "marble", "wood"};
+  static constexpr const char* Kinds[] = {"checker", "stripes", "gradient", "marble", "wood", "image"};
   return {texture.name, Kinds[int(texture.kind)], ""};
 }
 

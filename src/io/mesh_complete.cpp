@@ -7,67 +7,46 @@
 #include <vector>
 
 #include "io/mesh_normals.h"
+#include "io/mesh_vertices.h"
 
 namespace snell::io {
-namespace {
 
 using scene::Mesh;
 using scene::uvec3;
 using scene::vec3;
 
-using Index = std::uint32_t;
-constexpr Index None = 0xffffffffu;
-
-// Some of the triangles with the vertices that they use.
-Mesh Extract(const Mesh& mesh, const std::vector<uvec3>& triangles) {
-  Mesh part;
-  part.triangles = triangles;
-  std::vector<Index> vertexOf(mesh.positions.size(), None);
-  for (uvec3& triangle : part.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      Index& vertex = vertexOf[triangle[k]];
-      if (vertex == None) {
-        vertex = Index(part.positions.size());
-        part.positions.push_back(mesh.positions[triangle[k]]);
-        part.normals.push_back(mesh.normals[triangle[k]]);
-        if (!mesh.uvs.empty()) part.uvs.push_back(mesh.uvs[triangle[k]]);
-      }
-      triangle[k] = vertex;
-    }
-  }
-  return part;
-}
-
-void Append(Mesh& mesh, const Mesh& other) {
-  const Index offset = Index(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-  mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
-  mesh.uvs.insert(mesh.uvs.end(), other.uvs.begin(), other.uvs.end());
-  for (const uvec3& triangle : other.triangles) mesh.triangles.push_back(triangle + offset);
-}
-
-}  // namespace
-
-void CompleteNormals(Mesh& mesh, float creaseDegrees) {
+void CompleteNormals(Mesh& mesh, float creaseDegrees, std::span<const std::uint32_t> smoothing) {
   const auto isComplete = [&](const uvec3& t) {
     const vec3 zero(0.0f);
     return mesh.normals[t.x] != zero && mesh.normals[t.y] != zero && mesh.normals[t.z] != zero;
   };
-  std::vector<uvec3> complete, lacking;
   if (std::all_of(mesh.triangles.begin(), mesh.triangles.end(), isComplete)) return;
-  for (const uvec3& triangle : mesh.triangles)
-    (isComplete(triangle) ? complete : lacking).push_back(triangle);
+  std::vector<std::uint32_t> complete, lacking, lackingSmoothing;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    (isComplete(mesh.triangles[i]) ? complete : lacking).push_back(i);
+    if (!smoothing.empty() && (complete.empty() || complete.back() != i))
+      lackingSmoothing.push_back(smoothing[i]);
+  }
   if (complete.empty()) {
     mesh.normals.clear();
     return;
   }
 
   // Flat triangles beside smooth ones are smooth within a small fraction of a degree
-  Mesh completed = Extract(mesh, lacking);
-  SmoothNormals(completed, std::max(creaseDegrees, 0.01f));
-  Mesh result = Extract(mesh, complete);
-  Append(result, completed);
+  TriangleExtractor extractor(mesh);
+  Mesh completed = extractor.Extract(lacking);
+  SmoothNormals(completed, std::max(creaseDegrees, 0.01f), lackingSmoothing);
+  Mesh result = extractor.Extract(complete);
+  const std::uint32_t offset = std::uint32_t(result.positions.size());
+  AppendVertices(result, completed);
+
+  // Keep the triangles in their order
+  for (std::size_t i = 0; i < complete.size(); ++i)
+    mesh.triangles[complete[i]] = result.triangles[i];
+  for (std::size_t i = 0; i < lacking.size(); ++i)
+    mesh.triangles[lacking[i]] = completed.triangles[i] + offset;
   result.name = std::move(mesh.name);
+  result.triangles = std::move(mesh.triangles);
   mesh = std::move(result);
 }
 

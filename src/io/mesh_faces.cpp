@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 
 #include "io/mesh_cut.h"
 #include "io/mesh_normals.h"
@@ -21,6 +22,14 @@ using scene::Mesh;
 using scene::uvec3;
 using scene::vec2;
 using scene::vec3;
+
+// Beyond, areas are infinite and nothing can be told of a triangle.
+constexpr float LargestCoordinate = 1e18f;
+
+bool IsUsable(const vec3& p) {
+  return std::abs(p.x) <= LargestCoordinate && std::abs(p.y) <= LargestCoordinate &&
+         std::abs(p.z) <= LargestCoordinate;
+}
 
 bool IsFinite(const vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -45,8 +54,8 @@ void DropMissing(std::vector<std::uint32_t>& indices, std::size_t count, const c
               file.AtLine(0));
 }
 
-// Triangles of corners.
-std::vector<uvec3> CutFaces(const FaceSet& faces, const MeshFile& file) {
+// Triangles of corners. The runs of faces become runs of triangles.
+std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file) {
   const std::uint64_t count = faces.positionOf.size() - 2 * faces.faceCount;
   const std::uint64_t limit = std::min<std::uint64_t>(file.options.maxTriangles, NoIndex / 3);
   if (count > limit)
@@ -58,12 +67,14 @@ std::vector<uvec3> CutFaces(const FaceSet& faces, const MeshFile& file) {
   FaceCutter cutter;
   std::vector<vec3> places;
   std::uint64_t undefined = 0;
+  auto run = faces.runs.begin();
   for (std::uint64_t face = 0, first = 0; face < faces.faceCount; ++face) {
+    if (run != faces.runs.end() && run->first == face) (run++)->first = triangles.size();
     const std::uint32_t size = faces.sizes.empty() ? 3 : faces.sizes[face];
     places.clear();
     for (std::uint64_t i = first; i < first + size; ++i)
       places.push_back(faces.positions[faces.positionOf[i]]);
-    if (std::all_of(places.begin(), places.end(), IsFinite))
+    if (std::all_of(places.begin(), places.end(), IsUsable))
       cutter.Cut(places, std::uint32_t(first), triangles);
     else
       ++undefined;
@@ -71,7 +82,7 @@ std::vector<uvec3> CutFaces(const FaceSet& faces, const MeshFile& file) {
   }
 
   if (undefined > 0)
-    file.Warn(fmt::format("{} with infinite or undefined coordinates left out",
+    file.Warn(fmt::format("{} with infinite, huge or undefined coordinates left out",
                           Plural(undefined, "face")),
               file.AtLine(0));
   if (cutter.crossing() > 0)
@@ -143,6 +154,60 @@ vec2 UvAt(const FaceSet& faces, std::uint32_t index) {
   return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : vec2(0.0f);
 }
 
+// The colour, or white where it is not finite.
+scene::vec4 ColorAt(const FaceSet& faces, std::uint32_t index) {
+  const scene::vec4 color = faces.colors[index];
+  return IsFinite(vec3(color)) && std::isfinite(color.w) ? color : scene::vec4(1.0f);
+}
+
+// What the file says of each triangle's smoothing, or nothing if that is nowhere anything.
+std::vector<std::uint32_t> SmoothingOf(const std::vector<FaceRun>& runs, std::size_t triangles) {
+  const auto silent = [](const FaceRun& run) { return run.smoothing == SmoothByAngle; };
+  if (std::all_of(runs.begin(), runs.end(), silent)) return {};
+  std::vector<std::uint32_t> smoothing(triangles);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : triangles;
+    std::fill(smoothing.begin() + std::ptrdiff_t(runs[i].first),
+              smoothing.begin() + std::ptrdiff_t(end), runs[i].smoothing);
+  }
+  return smoothing;
+}
+
+// The mesh with normals as far as the file has some; zero where they are missing.
+Mesh MakeMesh(FaceSet faces, const MeshFile& file, std::vector<FaceRun>& runs) {
+  DropMissing(faces.uvOf, faces.uvs.size(), "texture coordinates", file);
+  if (file.options.ignoreFileNormals) {
+    faces.normalOf.clear();
+    faces.normalsGoWithPositions = false;
+  }
+  DropMissing(faces.normalOf, faces.normals.size(), "normals", file);
+
+  Mesh mesh;
+  mesh.name = faces.name;
+  mesh.triangles = CutFaces(faces, file);
+  runs = std::move(faces.runs);
+  const std::vector<Origin> vertices = JoinCorners(faces, mesh.triangles);
+  mesh.positions.reserve(vertices.size());
+  for (const Origin& vertex : vertices) mesh.positions.push_back(faces.positions[vertex.position]);
+  if (!HasArea(mesh)) throw Error("no face has an area and finite coordinates", file.AtLine(0));
+
+  const auto present = [](std::uint32_t index) { return index != NoIndex; };
+  if (faces.uvsGoWithPositions || std::any_of(faces.uvOf.begin(), faces.uvOf.end(), present)) {
+    mesh.uvs.reserve(vertices.size());
+    for (const Origin& vertex : vertices) mesh.uvs.push_back(UvAt(faces, vertex.uv));
+  }
+  if (!faces.colors.empty()) {
+    mesh.colors.reserve(vertices.size());
+    for (const Origin& vertex : vertices) mesh.colors.push_back(ColorAt(faces, vertex.position));
+  }
+  if (faces.normalsGoWithPositions ||
+      std::any_of(faces.normalOf.begin(), faces.normalOf.end(), present)) {
+    mesh.normals.reserve(vertices.size());
+    for (const Origin& vertex : vertices) mesh.normals.push_back(NormalAt(faces, vertex.normal));
+  }
+  return mesh;
+}
+
 }  // namespace
 
 void FaceSet::AddCorner(std::uint32_t position, std::uint32_t uv, std::uint32_t normal) {
@@ -163,37 +228,21 @@ void FaceSet::EndFace(std::uint32_t corners) {
   ++faceCount;
 }
 
-Mesh BuildMesh(FaceSet faces, const MeshFile& file) {
+Mesh BuildMesh(FaceSet faces, const MeshFile& file, std::vector<FaceRun>* runs) {
   if (faces.positions.size() > NoIndex)
     throw Error(
         fmt::format("the file has {} vertices; the limit is {}", faces.positions.size(), NoIndex),
         file.AtLine(0));
-  DropMissing(faces.uvOf, faces.uvs.size(), "texture coordinates", file);
-  if (file.options.ignoreFileNormals) {
-    faces.normalOf.clear();
-    faces.normalsGoWithPositions = false;
-  }
-  DropMissing(faces.normalOf, faces.normals.size(), "normals", file);
+  std::vector<FaceRun> triangleRuns;
+  Mesh mesh = MakeMesh(std::move(faces), file, triangleRuns);
 
-  Mesh mesh;
-  mesh.name = faces.name;
-  mesh.triangles = CutFaces(faces, file);
-  const std::vector<Origin> vertices = JoinCorners(faces, mesh.triangles);
-  mesh.positions.reserve(vertices.size());
-  for (const Origin& vertex : vertices) mesh.positions.push_back(faces.positions[vertex.position]);
-  if (!HasArea(mesh)) throw Error("no face has an area and finite coordinates", file.AtLine(0));
-
-  const auto present = [](std::uint32_t index) { return index != NoIndex; };
-  if (faces.uvsGoWithPositions || std::any_of(faces.uvOf.begin(), faces.uvOf.end(), present)) {
-    mesh.uvs.reserve(vertices.size());
-    for (const Origin& vertex : vertices) mesh.uvs.push_back(UvAt(faces, vertex.uv));
-  }
-  if (faces.normalsGoWithPositions ||
-      std::any_of(faces.normalOf.begin(), faces.normalOf.end(), present)) {
-    mesh.normals.reserve(vertices.size());
-    for (const Origin& vertex : vertices) mesh.normals.push_back(NormalAt(faces, vertex.normal));
-    CompleteNormals(mesh, file.options.smoothDegrees);
-  }
+  std::vector<std::uint32_t> smoothing;
+  if (file.options.smoothingGroups) smoothing = SmoothingOf(triangleRuns, mesh.triangles.size());
+  const auto flat = [](std::uint32_t word) { return word == SmoothNever; };
+  const bool allFlat = !smoothing.empty() && std::all_of(smoothing.begin(), smoothing.end(), flat);
+  if (!mesh.normals.empty()) CompleteNormals(mesh, file.options.smoothDegrees, smoothing);
+  if (mesh.normals.empty() && !allFlat) SmoothNormals(mesh, file.options.smoothDegrees, smoothing);
+  if (runs) *runs = std::move(triangleRuns);
   return mesh;
 }
 

@@ -16,6 +16,7 @@
 
 #include "io/mesh_corners.h"
 #include "io/mesh_table.h"
+#include "io/mesh_vertices.h"
 
 namespace snell::io {
 namespace {
@@ -32,6 +33,9 @@ constexpr Index None = 0xffffffffu;
 constexpr std::size_t BlockSize = 2048;
 // Faces around a place that are compared one with another.
 constexpr std::size_t FewFaces = 64;
+// Cosines that no two faces reach, and that all do.
+constexpr double NoFaces = 2;
+constexpr double AllFaces = -2;
 
 // Straight out of a triangle, as long as twice its area.
 dvec3 AreaNormal(const Mesh& mesh, const uvec3& t) {
@@ -69,14 +73,36 @@ struct Block {
 // Makes the vertices of one place after the other.
 class PlaceSmoother {
  public:
-  PlaceSmoother(const Mesh& mesh, const std::vector<vec3>& faceNormals, double minCosine)
-      : mesh_(mesh), faceNormals_(faceNormals), minCosine_(minCosine) {}
+  PlaceSmoother(const Mesh& mesh, const std::vector<vec3>& faceNormals, double minCosine,
+                std::span<const Index> smoothing)
+      : mesh_(mesh), faceNormals_(faceNormals), minCosine_(minCosine), smoothing_(smoothing) {}
 
   // Add the vertices that the corners of a place need to `block`, and write for each corner the number
   // of its vertex in the block to `vertexOf[corner]`.
   void Smooth(std::span<const Index> corners, Block& block, std::vector<Index>& vertexOf) {
+    if (smoothing_.empty()) return SmoothAlike(corners, minCosine_, block, vertexOf);
+
+    // One smoothing group after the other; flat faces only share what they have in common anyway
+    sorted_.assign(corners.begin(), corners.end());
+    const auto wordOf = [&](Index corner) { return smoothing_[corner / 3]; };
+    std::stable_sort(sorted_.begin(), sorted_.end(),
+                     [&](Index a, Index b) { return wordOf(a) < wordOf(b); });
+    for (std::size_t begin = 0, end = 0; begin < sorted_.size(); begin = end) {
+      const Index word = wordOf(sorted_[begin]);
+      const std::size_t limit = word == SmoothNever ? begin + FewFaces : sorted_.size();
+      while (end < std::min(limit, sorted_.size()) && wordOf(sorted_[end]) == word) ++end;
+      const double minCosine = word == SmoothNever     ? NoFaces
+                               : word == SmoothByAngle ? minCosine_
+                                                       : AllFaces;
+      SmoothAlike(std::span(sorted_).subspan(begin, end - begin), minCosine, block, vertexOf);
+    }
+  }
+
+ private:
+  void SmoothAlike(std::span<const Index> corners, double minCosine, Block& block,
+                   std::vector<Index>& vertexOf) {
     GroupFaces(corners);
-    ComputeNormals();
+    ComputeNormals(minCosine);
 
     const std::size_t first = block.sources.size();
     const bool few = corners.size() <= FewFaces;
@@ -109,7 +135,6 @@ class PlaceSmoother {
     }
   }
 
- private:
   // Faces that act as one: a single face, or many in nearly the same direction.
   struct Group {
     dvec3 direction;
@@ -142,11 +167,11 @@ class PlaceSmoother {
   }
 
   // The normal of each group: the sum of all groups within the crease angle.
-  void ComputeNormals() {
+  void ComputeNormals(double minCosine) {
     for (Group& group : groups_) {
       dvec3 sum(0.0);
       for (const Group& other : groups_)
-        if (glm::dot(group.direction, other.direction) >= minCosine_) sum += other.sum;
+        if (glm::dot(group.direction, other.direction) >= minCosine) sum += other.sum;
 
       // Faces back to back cancel
       const double length = glm::length(sum);
@@ -168,6 +193,8 @@ class PlaceSmoother {
   const Mesh& mesh_;
   const std::vector<vec3>& faceNormals_;
   double minCosine_;
+  std::span<const Index> smoothing_;
+  std::vector<Index> sorted_;
   std::vector<Group> groups_;
   std::vector<Index> groupOf_;  // of each corner; None for those without a face normal
   std::array<Index, CellsPerAxis * CellsPerAxis * CellsPerAxis> groupAt_;
@@ -175,12 +202,12 @@ class PlaceSmoother {
 
 // Make the vertices of all places, block by block; `vertexOf` counts them within each block.
 std::vector<Block> MakeVertices(const Mesh& mesh, const CornerLists& lists, double minCosine,
-                                std::vector<Index>& vertexOf) {
+                                std::span<const Index> smoothing, std::vector<Index>& vertexOf) {
   const std::size_t placeCount = mesh.positions.size();
   const std::vector<vec3> faceNormals = FaceNormals(mesh);
   std::vector<Block> blocks((placeCount + BlockSize - 1) / BlockSize);
   tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
-    PlaceSmoother smoother(mesh, faceNormals, minCosine);
+    PlaceSmoother smoother(mesh, faceNormals, minCosine, smoothing);
     const std::size_t end = std::min(placeCount, (b + 1) * BlockSize);
     for (std::size_t place = b * BlockSize; place < end; ++place)
       if (!lists.At(place).empty()) smoother.Smooth(lists.At(place), blocks[b], vertexOf);
@@ -195,39 +222,38 @@ bool HasArea(const Mesh& mesh) {
                      [&](const uvec3& t) { return glm::length(AreaNormal(mesh, t)) > 0; });
 }
 
-void SmoothNormals(Mesh& mesh, float creaseDegrees) {
+void SmoothNormals(Mesh& mesh, float creaseDegrees, std::span<const Index> smoothing) {
   mesh.normals = {};
-  if (!(creaseDegrees > 0) || mesh.triangles.empty()) return;
+  const bool flat = !(creaseDegrees > 0);
+  if ((flat && smoothing.empty()) || mesh.triangles.empty()) return;
 
   // A face at exactly the crease angle is still smooth
   const double angle = glm::radians(std::min(double(creaseDegrees), 180.0));
-  const double minCosine = std::cos(angle) - 1e-6;
+  const double minCosine = flat ? NoFaces : std::cos(angle) - 1e-6;
   const CornerLists lists = ListCorners(mesh);
   std::vector<Index> vertexOf(mesh.triangles.size() * 3);
-  const std::vector<Block> blocks = MakeVertices(mesh, lists, minCosine, vertexOf);
+  const std::vector<Block> blocks = MakeVertices(mesh, lists, minCosine, smoothing, vertexOf);
 
   // Lay the blocks one after the other
   std::vector<Index> offsets(blocks.size() + 1, 0);
   for (std::size_t b = 0; b < blocks.size(); ++b)
     offsets[b + 1] = offsets[b] + Index(blocks[b].sources.size());
-  std::vector<vec3> positions(offsets.back());
-  std::vector<scene::vec2> uvs(mesh.uvs.empty() ? 0 : offsets.back());
-  mesh.normals.resize(offsets.back());
+  std::vector<Index> sources(offsets.back());
+  std::vector<vec3> normals(offsets.back());
   tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
-    for (std::size_t i = 0; i < blocks[b].sources.size(); ++i) {
-      const std::size_t vertex = offsets[b] + i, source = blocks[b].sources[i];
-      positions[vertex] = mesh.positions[source];
-      mesh.normals[vertex] = blocks[b].normals[i];
-      if (!uvs.empty()) uvs[vertex] = mesh.uvs[source];
-    }
+    std::copy(blocks[b].sources.begin(), blocks[b].sources.end(), sources.begin() + offsets[b]);
+    std::copy(blocks[b].normals.begin(), blocks[b].normals.end(), normals.begin() + offsets[b]);
     const std::size_t end = std::min(mesh.positions.size(), (b + 1) * BlockSize);
     for (Index i = lists.begin[b * BlockSize]; i < lists.begin[end]; ++i) {
       const Index corner = lists.corners[i];
       mesh.triangles[corner / 3][int(corner % 3)] = vertexOf[corner] + offsets[b];
     }
   });
-  mesh.positions = std::move(positions);
-  mesh.uvs = std::move(uvs);
+  Mesh smooth = CopyVertices(mesh, sources);
+  smooth.name = std::move(mesh.name);
+  smooth.triangles = std::move(mesh.triangles);
+  smooth.normals = std::move(normals);
+  mesh = std::move(smooth);
 }
 
 }  // namespace snell::io

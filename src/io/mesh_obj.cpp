@@ -13,9 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "io/mesh_colors.h"
 #include "io/mesh_obj_lines.h"
 #include "io/mesh_readers.h"
 #include "io/mesh_text.h"
+#include "io/obj_parts.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -26,7 +28,8 @@ constexpr float Undefined = std::numeric_limits<float>::quiet_NaN();
 // Receives tinyobjloader's calls, one for each statement of `lines`.
 class ObjBuilder {
  public:
-  ObjBuilder(const MeshFile& file, const ObjLines& lines) : file_(file), lines_(lines) {}
+  ObjBuilder(const MeshFile& file, const ObjLines& lines, ObjParts& parts)
+      : file_(file), lines_(lines), parts_(parts) {}
 
   void Read(std::istream& stream) {
     tinyobj::callback_t callbacks;
@@ -49,6 +52,11 @@ class ObjBuilder {
   FaceSet Take() {
     if (highest_ >= 0 && std::uint64_t(highest_) >= faces_.positions.size())
       FailIndex(highest_ + 1, "vertex", faces_.positions.size(), highestLine_);
+    // Blender and MeshLab write sRGB. Vertices without a color are white
+    if (!faces_.colors.empty()) {
+      faces_.colors.resize(faces_.positions.size(), scene::vec4(1.0f));
+      DecodeColors(faces_, ColorCode::Srgb, file_);
+    }
     return std::move(faces_);
   }
 
@@ -58,6 +66,10 @@ class ObjBuilder {
   }
 
   void AddPosition(float x, float y, float z) {
+    if (lines_.HasColor()) {
+      faces_.colors.resize(faces_.positions.size(), scene::vec4(1.0f));
+      faces_.colors.emplace_back(lines_.color(), 1.0f);
+    }
     faces_.positions.emplace_back(Defined(0, x), Defined(1, y), Defined(2, z));
   }
   void AddUv(float u, float v) { faces_.uvs.emplace_back(Defined(0, u), Defined(1, v)); }
@@ -66,6 +78,7 @@ class ObjBuilder {
   }
 
   void AddFace(const tinyobj::index_t* corners, int count) {
+    parts_.BeginFace(faces_);
     for (int i = 0; i < count; ++i) {
       const std::uint32_t position =
           Resolve(corners[i].vertex_index, "vertex", faces_.positions.size());
@@ -97,6 +110,7 @@ class ObjBuilder {
 
   const MeshFile& file_;
   const ObjLines& lines_;
+  ObjParts& parts_;
   FaceSet faces_;
   std::int64_t highest_ = -1;  // of the positions that faces use
   int highestLine_ = 0;
@@ -125,27 +139,30 @@ void WarnOfExtras(const MeshFile& file, const ObjLines& lines) {
                           Quoted(tally.keyword)),
               file.AtLine(tally.line));
   }
-  const ObjLines::Tally& materials = lines.Of(ObjExtra::Materials);
-  if (materials.count > 0)
-    file.Warn("the file's materials are not read", file.AtLine(materials.line));
-  const ObjLines::Tally& colors = lines.Of(ObjExtra::Colors);
-  if (colors.count > 0) file.Warn("the vertices' colors are not used", file.AtLine(colors.line));
 }
 
 }  // namespace
 
-FaceSet ReadObj(MeshFile& file) {
-  ObjLines lines(file);
+ObjFile ReadObjFile(MeshFile& file) {
+  ObjFile obj;
+  ObjLines lines(file, obj.parts);
   std::istream stream(&lines);
   stream.exceptions(std::ios::badbit);  // lets the lines' Errors through
-  ObjBuilder builder(file, lines);
+  ObjBuilder builder(file, lines, obj.parts);
   builder.Read(stream);
 
-  FaceSet faces = builder.Take();
-  if (faces.faceCount == 0) FailWithoutFaces(file, lines, faces.positions.size());
+  obj.faces = builder.Take();
+  if (obj.faces.faceCount == 0) FailWithoutFaces(file, lines, obj.faces.positions.size());
   WarnOfExtras(file, lines);
-  faces.name = lines.Name();
-  return faces;
+  obj.faces.name = obj.parts.OnlyName();
+  return obj;
+}
+
+FaceSet ReadObj(MeshFile& file) {
+  ObjFile obj = ReadObjFile(file);
+  if (const int line = obj.parts.materialsLine(); line > 0)
+    file.Warn("the file's materials are not read", file.AtLine(line));
+  return std::move(obj.faces);
 }
 
 bool LooksLikeObj(std::string_view bytes) {

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include "io/mesh_text.h"
@@ -70,8 +72,8 @@ IndexFault CheckCorner(std::string_view word) {
 
 }  // namespace
 
-ObjLines::ObjLines(MeshFile& file)
-    : file_(file), next_(file.bytes.data()), end_(next_ + file.bytes.size()) {
+ObjLines::ObjLines(MeshFile& file, ObjParts& parts)
+    : file_(file), parts_(parts), next_(file.bytes.data()), end_(next_ + file.bytes.size()) {
   RequireText(file.bytes, file.name);
   if (std::string_view(file.bytes).starts_with("\xef\xbb\xbf")) next_ += 3;
 
@@ -79,11 +81,6 @@ ObjLines::ObjLines(MeshFile& file)
   for (char* at = next_; (at = static_cast<char*>(std::memchr(at, '\r', std::size_t(end_ - at))));
        ++at)
     if (at + 1 == end_ || at[1] != '\n') *at = '\n';
-}
-
-std::string ObjLines::Name() const {
-  if (objects_ == 1) return objectName_;
-  return objects_ == 0 && groups_ == 1 ? groupName_ : "";
 }
 
 ObjLines::int_type ObjLines::underflow() {
@@ -126,7 +123,7 @@ bool ObjLines::Accept(char* begin, char* end) {
     if (count < 3)
       Fail(fmt::format("'{}' needs three numbers, not {}", keyword, count),
            "the file may be cut short");
-    if (keyword == "v" && count >= 6) Skip(ObjExtra::Colors, keyword);
+    hasColor_ = count >= 6;
     return true;
   }
   if (keyword == "vt") {
@@ -135,9 +132,10 @@ bool ObjLines::Accept(char* begin, char* end) {
   }
   if (keyword == "f") return CheckFace(rest, end);
 
-  if (keyword == "o" || keyword == "g") NoteName(keyword, scanner.RestOfLine());
-  if (IsOneOf(keyword, {"o", "g", "s", "mg"})) return false;
-  if (keyword == "mtllib" || keyword == "usemtl") return Skip(ObjExtra::Materials, keyword);
+  if (IsOneOf(keyword, {"o", "g", "s", "usemtl", "mtllib"})) {
+    NoteState(keyword, scanner.RestOfLine());
+    return false;
+  }
   if (keyword == "p") return Skip(ObjExtra::Points, keyword);
   if (keyword == "l") return Skip(ObjExtra::Lines, keyword);
   if (IsOneOf(keyword, {"vp",   "cstype", "deg",  "bmat", "step",  "curv", "curv2", "surf",
@@ -145,13 +143,14 @@ bool ObjLines::Accept(char* begin, char* end) {
                         "bsp",  "cdc",    "cdp",  "res",  "ctech", "stech"}))
     return Skip(ObjExtra::FreeForm, keyword);
   // Settings of display
-  if (IsOneOf(keyword, {"bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
-                        "trace_obj", "call", "csh"}))
+  if (IsOneOf(keyword, {"mg", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap",
+                        "shadow_obj", "trace_obj", "call", "csh"}))
     return false;
   return Skip(ObjExtra::Unknown, keyword);
 }
 
-// How many words follow. The first three must be numbers; a comment at the end is blanked out.
+// How many words follow. The first three must be numbers, the next three are a color; a comment at the end is
+// blanked out.
 int ObjLines::CheckNumbers(char* begin, char* end) {
   undefined_ = {};
   TextScanner scanner(std::string_view(begin, std::size_t(end - begin)));
@@ -161,8 +160,13 @@ int ObjLines::CheckNumbers(char* begin, char* end) {
       std::fill(begin + (word.data() - begin), end, ' ');
       break;
     }
-    if (count >= 3 || IsPlainNumber(word)) continue;
     double value = 0;
+    if (count >= 3) {
+      if (count < 6 && !ParseNumber(word, value)) Fail(Quoted(word) + " is not a number");
+      if (count < 6) color_[count - 3] = float(value);
+      continue;
+    }
+    if (IsPlainNumber(word)) continue;
     if (!ParseNumber(word, value) || std::isfinite(value)) Fail(Quoted(word) + " is not a number");
     undefined_[std::size_t(count)] = true;
   }
@@ -198,12 +202,25 @@ void ObjLines::FailCorner(IndexFault fault, std::string_view word) const {
        "corners are written 'position', 'position/uv', 'position//normal' or 'position/uv/normal'");
 }
 
-void ObjLines::NoteName(std::string_view keyword, std::string_view name) {
-  std::string& noted = keyword == "o" ? objectName_ : groupName_;
-  int& count = keyword == "o" ? objects_ : groups_;
-  if (count > 0 && noted == name) return;
-  noted = name;
-  ++count;
+// Note what holds for the faces that follow.
+void ObjLines::NoteState(std::string_view keyword, std::string_view rest) {
+  if (keyword == "o") parts_.SetObject(rest);
+  if (keyword == "g") parts_.SetGroup(rest);
+  if (keyword == "s") NoteSmoothing(rest);
+  if (keyword == "usemtl") parts_.SetMaterial(rest, line_);
+  if (keyword == "mtllib") parts_.AddLibraries(rest, line_);
+}
+
+void ObjLines::NoteSmoothing(std::string_view word) {
+  std::uint32_t group = SmoothNever;
+  const char* end = word.data() + word.size();
+  const auto [stop, fault] = std::from_chars(word.data(), end, group);
+  const bool isNumber = fault == std::errc() && stop == end && group != SmoothByAngle;
+  if (word == "on") group = 1;
+  if (isNumber || word == "on" || word == "off")
+    parts_.SetSmoothing(group);
+  else
+    Skip(ObjExtra::Unknown, "s");
 }
 
 bool ObjLines::Skip(ObjExtra extra, std::string_view keyword) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// PLY, in ASCII and both binary encodings: polygons and triangle strips, normals, and texture coordinates
-// of vertices or of faces' corners. A reader of our own, unlike OBJ's: Assimp 5.2 (Debian 12) keeps one
+// PLY, in ASCII and both binary encodings: polygons and triangle strips, normals, colours, and texture
+// coordinates of vertices or of faces' corners. Integer colours are sRGB, as scanners and MeshLab write them;
+// floats are linear. A reader of our own, unlike OBJ's: Assimp 5.2 (Debian 12) keeps one
 // triangle of every strip and one texture coordinate of every vertex on a seam, takes files cut short for
 // whole ones, and reads past its buffers on headers that are cut short.
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/mesh_colors.h"
 #include "io/mesh_ply_header.h"
 #include "io/mesh_ply_source.h"
 #include "io/mesh_readers.h"
@@ -23,7 +25,18 @@ namespace snell::io {
 namespace {
 
 // What a vertex's property stands for.
-enum Role { X, Y, Z, NormalX, NormalY, NormalZ, U, V, RoleCount };
+enum Role { X, Y, Z, NormalX, NormalY, NormalZ, U, V, Red, Green, Blue, Alpha, RoleCount };
+
+// What full intensity is. Programs write bytes, whatever the type that has room for them.
+float WhiteOf(PlyType type) {
+  switch (type) {
+    case PlyType::Int8: return 127;
+    case PlyType::Uint16: return 65535;
+    case PlyType::Float32:
+    case PlyType::Float64: return 1;
+    default: return 255;
+  }
+}
 
 // Reads the elements in the order of the file, which may give faces before vertices.
 template <class Source>
@@ -62,7 +75,11 @@ class PlyBody {
                                element.Find({"ny"}),
                                element.Find({"nz"}),
                                element.Find({"u", "s", "texture_u", "texture_s"}),
-                               element.Find({"v", "t", "texture_v", "texture_t"})};
+                               element.Find({"v", "t", "texture_v", "texture_t"}),
+                               element.Find({"red", "r", "diffuse_red"}),
+                               element.Find({"green", "g", "diffuse_green"}),
+                               element.Find({"blue", "b", "diffuse_blue"}),
+                               element.Find({"alpha", "a"})};
     for (int role = X; role <= Z; ++role)
       if (at[role] < 0 || element.properties[std::size_t(at[role])].isList)
         throw Error(fmt::format("the vertices have no property '{}'", "xyz"[role]),
@@ -72,12 +89,19 @@ class PlyBody {
       if (at[role] >= 0) roleOf[std::size_t(at[role])] = role;
     faces_.normalsGoWithPositions = at[NormalX] >= 0 && at[NormalY] >= 0 && at[NormalZ] >= 0;
     faces_.uvsGoWithPositions = at[U] >= 0 && at[V] >= 0;
+    const bool colored = at[Red] >= 0 && at[Green] >= 0 && at[Blue] >= 0;
+    float white[4] = {1, 1, 1, 1};
+    for (int role = Red; role <= Alpha; ++role)
+      if (at[role] >= 0)
+        white[role - Red] = WhiteOf(element.properties[std::size_t(at[role])].type);
     faces_.positions.reserve(element.count);
+    if (colored) faces_.colors.reserve(element.count);
     if (faces_.normalsGoWithPositions) faces_.normals.reserve(element.count);
     if (faces_.uvsGoWithPositions) faces_.uvs.reserve(element.count);
 
     for (std::uint64_t i = 0; i < element.count; ++i) {
       float values[RoleCount] = {};
+      values[Alpha] = white[3];
       for (std::size_t p = 0; p < roleOf.size(); ++p) {
         const PlyProperty& property = element.properties[p];
         if (property.isList || roleOf[p] == RoleCount)
@@ -90,7 +114,13 @@ class PlyBody {
       if (faces_.normalsGoWithPositions)
         faces_.normals.emplace_back(values[NormalX], values[NormalY], values[NormalZ]);
       if (faces_.uvsGoWithPositions) faces_.uvs.emplace_back(values[U], values[V]);
+      if (colored)
+        faces_.colors.emplace_back(values[Red] / white[0], values[Green] / white[1],
+                                   values[Blue] / white[2], values[Alpha] / white[3]);
     }
+    if (!colored) return;
+    const bool integer = IsInteger(element.properties[std::size_t(at[Red])].type);
+    DecodeColors(faces_, integer ? ColorCode::Srgb : ColorCode::Linear, file_);
   }
 
   void ReadFaces(const PlyElement& element) {
@@ -269,8 +299,8 @@ void CheckContents(const MeshFile& file, const PlyHeader& header) {
 FaceSet ReadPly(const MeshFile& file) {
   const PlyHeader header = ReadPlyHeader(file);
   CheckContents(file, header);
-  if (const PlyElement* vertices = header.Find("vertex"); vertices->Find({"red", "r"}) >= 0)
-    file.Warn("the vertices' colors are not used", file.AtLine(vertices->line));
+  if (const PlyElement* element = header.Find("face"); element && element->Find({"red", "r"}) >= 0)
+    file.Warn("the faces' colors are not used", file.AtLine(element->line));
 
   constexpr bool LittleEndianHost = std::endian::native == std::endian::little;
   const bool little = header.encoding == PlyEncoding::LittleEndian;

@@ -93,13 +93,18 @@ FaceSet ReadBinary(const MeshFile& file) {
     file.Warn(fmt::format("{} bytes after the last triangle ignored", file.bytes.size() - expected),
               file.AtByte(expected));
 
+  // Magics names a color in the header; VisCAM and SolidView set the highest bit of the attribute
+  bool colored =
+      std::string_view(file.bytes).substr(0, HeaderSize).find("COLOR=") != std::string::npos;
   StlBuilder builder(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const char* corner = file.bytes.data() + BodyOffset + i * TriangleSize + 12;
+    colored = colored || (corner[37] & 0x80) != 0;
     for (int k = 0; k < 3; ++k, corner += 12)
       builder.AddCorner(vec3(FloatAt(corner), FloatAt(corner + 4), FloatAt(corner + 8)));
     builder.EndFace(3);
   }
+  if (colored) file.Warn("the triangles' colors are not used", file.AtLine(0));
   return builder.Take();
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "io/mesh_faces.h"
-#include "io/mesh_normals.h"
 #include "io/mesh_readers.h"
 
 namespace snell::io {
@@ -31,9 +30,7 @@ scene::Mesh ReadOne(const std::filesystem::path& path, const MeshReadOptions& op
   if (faces.name.empty()) faces.name = path.stem().string();
   file.bytes = std::string();
 
-  scene::Mesh mesh = BuildMesh(std::move(faces), file);
-  if (mesh.normals.empty()) SmoothNormals(mesh, options.smoothDegrees);
-  return mesh;
+  return BuildMesh(std::move(faces), file);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ struct MeshReadOptions {
   // 0 leaves them flat.
   float smoothDegrees = 40;
   bool ignoreFileNormals = false;
+  bool smoothingGroups =
+      false;  // of an OBJ file: they count instead of the angle, where there are some
   // What a file may demand: its own size, 16 GiB, and the triangles in it, 2^30.
   std::uint64_t maxFileBytes = DefaultFileLimit;
   std::uint64_t maxTriangles = std::uint64_t(1) << 30;

@@ -5,6 +5,7 @@
 
 #include "io/format.h"
 #include "io/nff.h"
+#include "io/obj_scene.h"
 #include "io/read_mesh.h"
 #include "io/toml_scene.h"
 #include "scene/framing.h"
@@ -19,23 +20,34 @@ static scene::Affine ZUpToYUp() {
           glm::dvec4(0, 0, 0, 1)};
 }
 
-static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOptions& options,
-                                 const WarningSink& warn) {
+// The objects of a mesh file.
+static scene::Scene ReadObjects(const std::filesystem::path& path, const ReadOptions& options,
+                                const WarningSink& warn) {
   MeshReadOptions meshOptions;
   if (options.smooth) meshOptions.smoothDegrees = *options.smooth;
-  const bool zUp = options.zUp.value_or(LowerExtension(path) == "stl");
+  meshOptions.smoothingGroups = !options.smooth;
+  if (LowerExtension(path) == "obj") return ReadObjScene(path, meshOptions, warn);
+
   scene::Scene scene;
-  scene.materials.push_back(scene::DefaultMaterial());
   scene.meshes = ReadMesh(path, meshOptions, warn);
+  const bool colored = !scene.meshes.front().colors.empty();
+  scene.materials.push_back(colored ? scene::ColoredMaterial() : scene::DefaultMaterial());
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     scene::Object object;
     object.name = scene.meshes[i].name;
     object.geometry = scene::MeshGeometry{int(i)};
     object.material = 0;
-    if (zUp) object.toWorld = ZUpToYUp();
     object.place.file = path.string();
     scene.objects.push_back(object);
   }
+  return scene;
+}
+
+static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOptions& options,
+                                 const WarningSink& warn) {
+  scene::Scene scene = ReadObjects(path, options, warn);
+  if (options.zUp.value_or(LowerExtension(path) == "stl"))
+    for (scene::Object& object : scene.objects) object.toWorld = ZUpToYUp();
   scene::AddStudio(scene);
   return scene;
 }

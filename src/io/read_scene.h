@@ -15,7 +15,9 @@ struct ReadOptions {
   // For bare meshes: whether the file's z axis points up, to be turned to y. Without a word it does in STL,
   // which is the language of 3D printing, and does not in others.
   std::optional<bool> zUp;
-  std::optional<float> smooth;  // crease angle in degrees for bare meshes without normals; 0: flat
+  // Crease angle in degrees for bare meshes without normals; 0: flat. Without a word, an OBJ file's smoothing
+  // groups count first.
+  std::optional<float> smooth;
 };
 
 // Throws Error with every mistake found. The result is valid (scene/validate.h).

@@ -104,6 +104,13 @@ Material DefaultMaterial() {
   return material;
 }
 
+Material ColoredMaterial() {
+  Material material;
+  material.name = "vertex colors";
+  material.physical.emplace().baseColor.value = Spectrum(1.0f);
+  return material;
+}
+
 void AddStudio(Scene& scene) {
   const Box3 box = BoundsOf(scene);
 

@@ -18,4 +18,7 @@ void AddStudio(Scene& scene);
 // The grey, slightly glossy material of things that bring none.
 Material DefaultMaterial();
 
+// The same for meshes with colours, which it shows: physical, and white by itself.
+Material ColoredMaterial();
+
 }  // namespace snell::scene
