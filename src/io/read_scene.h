@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any file that Snell opens becomes a scene: native scenes and NFF as they are, bare meshes set into a
-// studio (scene/framing.h).
+// Any file that Snell opens becomes a scene: native scenes and NFF as they are; bare meshes, and glTF without
+// lights, set into a studio (scene/framing.h).
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,7 @@ struct ReadOptions {
   // which is the language of 3D printing, and does not in others.
   std::optional<bool> zUp;
   std::optional<float> smooth;  // crease angle in degrees for bare meshes without normals; 0: flat
+  std::optional<double> time;   // seconds, of glTF's animations; without it everything is at rest
 };
 
 // Throws Error with every mistake found. The result is valid (scene/validate.h).
