@@ -39,7 +39,9 @@ std::vector<float> GltfAttributes::Floats(const std::string& name, int component
 
 std::vector<std::uint32_t> GltfAttributes::Indices(std::size_t vertexCount) {
   if (isDraco_) return std::move(draco_.indices);
-  if (primitive_.indices >= 0) return data_.Indices(primitive_.indices);
+  if (const auto found = primitive_.attributes.find(GltfDocument::Indices);
+      found != primitive_.attributes.end())
+    return data_.Indices(found->second);
   std::vector<std::uint32_t> indices(vertexCount);
   std::iota(indices.begin(), indices.end(), 0u);
   return indices;

@@ -60,8 +60,9 @@ class Preparation {
       throw document_.Fault("", "there is no 'asset', which every glTF document has");
     for (const char* key : {"minVersion", "version"}) {
       const std::string version = Text(*asset, key);
-      if (version.empty() && key == std::string_view("minVersion")) continue;
-      if (version != "2" && !version.starts_with("2."))
+      const bool isMinimum = key == std::string_view("minVersion");
+      if (isMinimum && version.empty()) continue;
+      if (isMinimum ? version != "2.0" : !version.starts_with("2."))
         throw document_.Fault("", fmt::format("this is glTF {}; Snell reads glTF 2.0",
                                               version.empty() ? "without a version" : version));
     }
@@ -115,16 +116,17 @@ class Preparation {
     }
   }
 
-  // tinygltf wants a buffer view behind all indices; Draco's streams have their own
-  void TakeIndicesOfDraco() {
+  // tinygltf wants a buffer view behind all indices, which Draco's streams and zeros do not have; attributes
+  // need none
+  void TakeIndices() {
     for (Json& mesh : Array("meshes")) {
-      const auto primitives = mesh.is_object() ? mesh.find("primitives") : mesh.end();
-      if (!mesh.is_object() || primitives == mesh.end() || !primitives->is_array()) continue;
-      for (Json& primitive : *primitives) {
-        if (!primitive.is_object() || !primitive.contains("extensions")) continue;
-        const Json& extensions = primitive["extensions"];
-        if (extensions.is_object() && extensions.contains("KHR_draco_mesh_compression"))
-          primitive.erase("indices");
+      if (!mesh.is_object() || !mesh.contains("primitives")) continue;
+      for (Json& primitive : mesh["primitives"]) {
+        const int indices = Integer(primitive, "indices");
+        if (!primitive.is_object() || !primitive.contains("indices")) continue;
+        primitive.erase("indices");
+        if (primitive.contains("attributes") && primitive["attributes"].is_object())
+          primitive["attributes"][GltfDocument::Indices] = indices;
       }
     }
   }
@@ -224,7 +226,7 @@ GltfDocument OpenGltf(const std::filesystem::path& path) {
     preparation.TakeBuffers(container);
     preparation.TakeImages();
     preparation.TakeStrides();
-    preparation.TakeIndicesOfDraco();
+    preparation.TakeIndices();
     preparation.CheckSparse();
     ParseRest(json, document);
   } catch (const Json::exception&) {

@@ -25,6 +25,9 @@ struct GltfImage {
 };
 
 struct GltfDocument {
+  // Under this name a primitive's indices stand among its attributes.
+  static constexpr const char* Indices = "indices";
+
   std::filesystem::path path;
   tinygltf::Model model;  // its `buffers` and `images` are empty, strides of views are 0
   std::vector<std::string> buffers;

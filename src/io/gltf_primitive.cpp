@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "io/gltf_attributes.h"
-#include "util/text.h"
 
 namespace snell::io {
 namespace {
@@ -111,8 +110,7 @@ std::optional<Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Primitive&
   const std::vector<std::uint32_t> indices = attributes.Indices(count);
   const auto outside = std::ranges::find_if(indices, [&](std::uint32_t i) { return i >= count; });
   if (outside != indices.end())
-    throw data.document().Fault(
-        part, fmt::format("index {} of its {}", *outside, Plural(count, "vertex")));
+    throw data.document().Fault(part, fmt::format("index {} of {} vertices", *outside, count));
   const int mode = attributes.IsDraco() ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0)
     findings.Note("the number of a primitive's indices is no multiple of three", part);

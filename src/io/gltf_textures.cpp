@@ -63,9 +63,13 @@ GltfTextures::GltfTextures(GltfData& data, scene::Scene& scene) : data_(data), s
   for (const tinygltf::Texture& texture : document.model.textures) {
     for (const int source : Sources(texture)) {
       const GltfImage& image = document.images[std::size_t(source)];
-      if (!bytes.contains(source))
+      if (pictures_.contains(source)) continue;
+      GltfPicture& picture = pictures_[source];
+      try {
         bytes[source] = image.uri.empty() ? data.View(image.bufferView) : std::string_view();
-      pictures_[source];
+      } catch (const Error& error) {
+        picture.fault = error.diagnostics().front().message;
+      }
     }
   }
 
