@@ -54,7 +54,9 @@ void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& o
 
 void WarnOfMeshOptions(const RenderArguments& arguments, const WarningSink& warn) {
   const std::string extension = LowerExtension(arguments.scene);
-  if ((arguments.up || arguments.smooth) && (extension == "toml" || extension == "nff"))
+  const bool isScene =
+      extension == "toml" || extension == "nff" || extension == "gltf" || extension == "glb";
+  if ((arguments.up || arguments.smooth) && isScene)
     warn({"--up and --smooth are for mesh files and change nothing here", {arguments.scene}});
 }
 

@@ -63,7 +63,24 @@ SceneInfo::Item Describe(const scene::Camera& camera) {
                                      camera.fov * DegreesPerRadian)};
 }
 
+SceneInfo::Item DescribePhysical(const scene::Material& material) {
+  const scene::OpenPbr& pbr = *material.physical;
+  std::string detail = fmt::format("roughness {:g}", pbr.specularRoughness.value);
+  if (pbr.baseMetalness.value > 0)
+    detail += fmt::format(", metalness {:g}", pbr.baseMetalness.value);
+  if (material.Refractive())
+    detail +=
+        fmt::format(", transmits, ior {:g}{}", pbr.specularIor, material.thin ? ", thin" : "");
+  if (pbr.coatWeight.value > 0) detail += ", coat";
+  if (pbr.fuzzWeight.value > 0) detail += ", fuzz";
+  if (pbr.thinFilmWeight.value > 0) detail += ", thin film";
+  if (pbr.emission.value != kernel::Spectrum(0.0f)) detail += ", glows";
+  if (material.alphaMode != scene::AlphaMode::Opaque) detail += ", cut out";
+  return {material.name, "physical", detail};
+}
+
 SceneInfo::Item Describe(const scene::Material& material) {
+  if (material.physical) return DescribePhysical(material);
   std::string detail = Plural(material.terms.size(), "term");
   if (material.reflectivity.value != kernel::Spectrum(0.0f)) detail += ", reflects";
   if (material.Refractive())
@@ -73,7 +90,8 @@ SceneInfo::Item Describe(const scene::Material& material) {
 }
 
 SceneInfo::Item Describe(const scene::Texture& texture) {
-  static constexpr const char* Kinds[] = {"checker", "stripes", "gradient", "marble", "wood", "image"};
+  static constexpr const char* Kinds[] = {"checker", "stripes", "gradient",
+                                          "marble",  "wood",    "picture"};
   return {texture.name, Kinds[int(texture.kind)], ""};
 }
 

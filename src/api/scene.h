@@ -45,7 +45,7 @@ class SNELL_EXPORT Scene {
 // without a camera gets one that shows everything. Throws Error with every mistake that was found.
 SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 
-// "toml, nff, obj, ply, stl", for messages.
+// "toml, gltf, glb, nff, obj, ply, stl", for messages.
 SNELL_EXPORT std::string KnownSceneExtensions();
 
 // What is in a scene.

@@ -36,6 +36,7 @@ Image DecodePng(const Source& source);
 Image DecodeJpeg(const Source& source);
 Image DecodeHdr(const Source& source);
 Image DecodeExr(const Source& source);
+Image DecodeWebp(const Source& source);
 
 // The complete file. `place` is the file's name for errors; options have been checked.
 std::string EncodePng(const Image& image, const WriteOptions& options, const Place& place);

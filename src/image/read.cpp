@@ -30,7 +30,7 @@ constexpr Signature Signatures[] = {
     {0, "\xff\xd8\xff"sv, "JPEG", DecodeJpeg},
     {0, "\x76\x2f\x31\x01"sv, "OpenEXR", DecodeExr},
     {0, "#?"sv, "Radiance HDR", DecodeHdr},
-    {8, "WEBP"sv, "WebP", nullptr},
+    {8, "WEBP"sv, "WebP", DecodeWebp},
     {0, "GIF8"sv, "GIF", nullptr},
     {0, "II*\0"sv, "TIFF", nullptr},
     {0, "MM\0*"sv, "TIFF", nullptr},
@@ -48,7 +48,7 @@ constexpr Signature Signatures[] = {
     {0, "BM"sv, "BMP", nullptr},
 };
 
-constexpr const char* Readable = "Snell reads PNG, JPEG, OpenEXR and Radiance HDR pictures";
+constexpr const char* Readable = "Snell reads PNG, JPEG, WebP, OpenEXR and Radiance HDR pictures";
 
 Decoder DecoderFor(const Source& source) {
   if (source.bytes.empty()) throw source.Fault("the file is empty");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures from files: PNG, JPEG, Radiance HDR and OpenEXR, told apart by content, never by name. Any
+// Pictures from files: PNG, JPEG, WebP, Radiance HDR and OpenEXR, told apart by content, never by name. Any
 // bytes yield a picture or one Error; sizes are checked against limits before memory is taken.
 #pragma once
 
@@ -15,10 +15,10 @@
 namespace snell::image {
 
 enum class ColorSpace {
-  // As the file says, where it says so by a PNG gamma or by chromaticities of HDR and EXR; else PNG and
-  // JPEG are sRGB, HDR and EXR linear Rec.709. ICC profiles are not applied.
+  // As the file says, where it says so by a PNG gamma or by chromaticities of HDR and EXR; else PNG, JPEG
+  // and WebP are sRGB, HDR and EXR linear Rec.709. ICC profiles are not applied.
   FromFile,
-  // PNG and JPEG are sRGB whatever they say, as glTF demands; HDR and EXR as above.
+  // PNG, JPEG and WebP are sRGB whatever they say, as glTF demands; HDR and EXR as above.
   Srgb,
   // The numbers themselves, integers scaled to [0, 1]: for normals, roughness, heights.
   Raw,

@@ -8,11 +8,12 @@ namespace snell::io {
 Format FormatOf(const std::filesystem::path& path) {
   const std::string extension = LowerExtension(path);
   if (extension == "toml") return Format::Toml;
+  if (extension == "gltf" || extension == "glb") return Format::Gltf;
   if (extension == "nff") return Format::Nff;
   if (extension == "obj" || extension == "ply" || extension == "stl") return Format::Mesh;
   return Format::Unknown;
 }
 
-std::string KnownFormats() { return "toml, nff, obj, ply, stl"; }
+std::string KnownFormats() { return "toml, gltf, glb, nff, obj, ply, stl"; }
 
 }  // namespace snell::io

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/format.h"
+#include "io/gltf.h"
 #include "io/nff.h"
 #include "io/obj_scene.h"
 #include "io/read_mesh.h"
@@ -52,6 +53,13 @@ static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOp
   return scene;
 }
 
+static scene::Scene ReadGltfScene(const std::filesystem::path& path, const ReadOptions& options,
+                                  const WarningSink& warn) {
+  scene::Scene scene = ReadGltf(path, options.time, warn);
+  if (scene.lights.empty() && !scene.objects.empty()) scene::AddStudio(scene);
+  return scene;
+}
+
 // No reader is known for the file; if there is none, that is said first.
 [[noreturn]] static void Refuse(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -68,6 +76,7 @@ scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& opt
   scene::Scene scene;
   switch (FormatOf(path)) {
     case Format::Toml: scene = ReadToml(path, warn); break;
+    case Format::Gltf: scene = ReadGltfScene(path, options, warn); break;
     case Format::Nff: scene = ReadNff(path, warn); break;
     case Format::Mesh: scene = ReadBareMesh(path, options, warn); break;
     case Format::Unknown: Refuse(path);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any file that Snell opens becomes a scene: native scenes and NFF as they are, bare meshes set into a
-// studio (scene/framing.h).
+// Any file that Snell opens becomes a scene: native scenes and NFF as they are; bare meshes, and glTF without
+// lights, set into a studio (scene/framing.h).
 #pragma once
 
 #include <filesystem>
@@ -18,6 +18,7 @@ struct ReadOptions {
   // Crease angle in degrees for bare meshes without normals; 0: flat. Without a word, an OBJ file's smoothing
   // groups count first.
   std::optional<float> smooth;
+  std::optional<double> time;   // seconds, of glTF's animations; without it everything is at rest
 };
 
 // Throws Error with every mistake found. The result is valid (scene/validate.h).
