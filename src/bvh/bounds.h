@@ -32,7 +32,8 @@ struct Bounds {
   bool Empty() const { return !(lower.x <= upper.x); }
   bool Finite() const {
     const vec3 sum = kernel::Abs(lower) + kernel::Abs(upper);
-    return sum.x + sum.y + sum.z < std::numeric_limits<float>::max();
+    // Sums and differences of such boxes' corners must not overflow either
+    return sum.x + sum.y + sum.z < std::numeric_limits<float>::max() / 16;
   }
   vec3 Center() const { return (lower + upper) * 0.5f; }
   vec3 Size() const { return upper - lower; }

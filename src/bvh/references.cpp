@@ -34,7 +34,7 @@ bool IsFinite(const Geometry& geometry, const kernel::Triangle& triangle) {
     const vec3& p = geometry.positions[v];
     sum += kernel::abs(p.x) + kernel::abs(p.y) + kernel::abs(p.z);
   }
-  return sum < std::numeric_limits<float>::max();
+  return sum < std::numeric_limits<float>::max() / 16;
 }
 
 Chunk PairChunk(const Geometry& geometry, std::uint32_t first, std::uint32_t last,

@@ -91,7 +91,7 @@ TEST(MeshStl, ZPointsUpUnlessTheCallerSaysOtherwise) {
   const TemporaryFile stl("a.stl", Text(CubeCorners(), "cube"));
   const TemporaryFile obj("a.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
   const auto up = [](const TemporaryFile& file, std::optional<bool> zUp) {
-    const scene::Scene scene = ReadScene(file.path(), {.zUp = zUp, .smooth = {}}, {});
+    const scene::Scene scene = ReadScene(file.path(), {.zUp = zUp, .smooth = {}, .time = {}}, {});
     return glm::dvec3(scene.objects[0].toWorld * glm::dvec4(0, 0, 1, 0));
   };
   const glm::dvec3 y(0, 1, 0), z(0, 0, 1);

@@ -128,7 +128,8 @@ static MaterialKeys CommonKeys() {
   const auto priority =
       Field("priority", &Material::priority, Integer(-1000, 1000),
             "Where insides overlap, the material with the higher priority fills the space.");
-  return Join<MaterialDraft>({{PresetKey()}, In({emission, thin, ior, color, distance, priority})});
+  return Join<MaterialDraft>(
+      {{PresetKey()}, In({emission, thin, ior, color, distance, priority}), MapKeys()});
 }
 
 static MaterialKeys ReflectionKeys() {
@@ -258,7 +259,7 @@ const SectionOf<MaterialDraft>& MaterialSection() {
                     {ClassicMaterial(), DiffuseMaterial(),
                      ShinyMaterial("phong", "Matt with Phong's highlights.").Checked(FinishPhong),
                      ShinyMaterial("blinn", "Matt with Blinn's highlights.").Checked(FinishBlinn),
-                     DielectricMaterial(), MirrorMaterial(), MetalMaterial()},
+                     DielectricMaterial(), MirrorMaterial(), MetalMaterial(), PhysicalMaterial()},
                     "classic")
           .Base("preset")
           .Checked(FinishMaterial);

@@ -35,11 +35,11 @@ static void FinishObject(Reader& reader, const Fields& fields, ObjectDraft& draf
 
 // --- Geometry that is no shape ------------------------------------------------------------------------------
 
-static Type<std::filesystem::path> MeshFile() {
+Type<std::filesystem::path> SceneFile(std::string example) {
   Type<std::filesystem::path> type;
   type.expected = "the name of a file";
   type.schema = R"({"type": "string", "minLength": 1})";
-  type.example = "\"bunny.ply\"";
+  type.example = "\"" + example + "\"";
   type.read = [](Reader& reader, const Node& value, std::filesystem::path& path) {
     return reader.FindFile(value, path);
   };
@@ -63,9 +63,9 @@ static Type<std::string> GroupName() {
 }
 
 static VariantOf<ObjectDraft> FileVariant() {
-  const auto file =
-      Field("file", &ObjectDraft::file, MeshFile(), "The file, relative to the one that names it.")
-          .Required();
+  const auto file = Field("file", &ObjectDraft::file, SceneFile("bunny.ply"),
+                          "The file, relative to the one that names it.")
+                        .Required();
   const auto smooth =
       Field("smooth", &ObjectDraft::smooth, Number({0, 180}, "degrees"),
             "Without normals in the file, edges between faces that meet at a smaller angle look "

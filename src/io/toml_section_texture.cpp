@@ -5,7 +5,9 @@
 
 #include <glm/matrix.hpp>
 
+#include "io/images.h"
 #include "io/toml_sections.h"
+#include "util/file.h"
 
 namespace snell::io {
 
@@ -40,6 +42,11 @@ static void BeginWood(TextureDraft& draft) {
   draft.placement.scale[3][3] = 1;
 }
 
+static void BeginImage(TextureDraft& draft) {
+  draft.texture.kind = TextureKind::Image;
+  draft.texture.colorA = draft.texture.colorB = Spectrum(1.0f);
+}
+
 // --- The section --------------------------------------------------------------------------------------------
 
 static void FinishTexture(Reader& reader, const Fields& fields, TextureDraft& draft) {
@@ -50,6 +57,47 @@ static void FinishTexture(Reader& reader, const Fields& fields, TextureDraft& dr
   if (!IsUsable(draft.texture.placement, reason))
     reader.Report(fmt::format("the transform of {} cannot be used: {}", fields.title, reason),
                   fields.place);
+}
+
+static void LoadPicture(Reader& reader, const Fields& fields, TextureDraft& draft) {
+  if (draft.file.empty()) return;
+  const Place place = fields.PlaceOf("file");
+  try {
+    const ImageUse use = draft.data ? ImageUse::Data : ImageUse::Color;
+    reader.scene.images.push_back(DecodeTexels(ReadFile(draft.file), draft.file.string(), use));
+    draft.texture.image = int(reader.scene.images.size()) - 1;
+  } catch (const Error& error) {
+    for (const Diagnostic& cause : error.diagnostics())
+      reader.Report(
+          fmt::format("cannot use the picture {}: {}", ToString(cause.place), cause.message), place,
+          cause.hint);
+  }
+}
+
+static Keys<TextureDraft> PictureKeys() {
+  using scene::Texture;
+  using scene::TextureFilter;
+  using scene::Wrap;
+  const auto wraps =
+      Choice<Wrap>({{"repeat", Wrap::Repeat}, {"clamp", Wrap::Clamp}, {"mirror", Wrap::Mirror}});
+  const auto filters = Choice<TextureFilter>({{"nearest", TextureFilter::Nearest},
+                                              {"linear", TextureFilter::Linear},
+                                              {"mipmap", TextureFilter::Mipmap}});
+  return Join<TextureDraft>(
+      {{Field("file", &TextureDraft::file, SceneFile("bricks.png"),
+              "The picture: PNG, JPEG, WebP, OpenEXR or Radiance HDR, in the scene's folder.")
+            .Required()
+            .Not({"path", "filename", "image"}),
+        Field("data", &TextureDraft::data, Boolean(),
+              "The numbers are measures, as in maps of normals and heights, and no colours.")
+            .Not({"raw", "linear"})},
+       Within(&TextureDraft::texture,
+              {Field("wrap_u", &Texture::wrapU, wraps, "How it goes on to left and right.")
+                   .Not({"wrap", "wrap_s"}),
+               Field("wrap_v", &Texture::wrapV, wraps, "How it goes on above and below."),
+               Field("filter", &Texture::filter, filters,
+                     "Between its texels: `mipmap` also averages those that fall into one pixel.")
+                   .Not({"interpolation"})})});
 }
 
 static Keys<scene::Texture> CommonKeys() {
@@ -95,18 +143,22 @@ const SectionOf<TextureDraft>& TextureSection() {
           "pattern down or use `space = \"object\"`.",
           Join<TextureDraft>({Within(&TextureDraft::texture, CommonKeys()),
                               Within(&TextureDraft::placement, PlacementKeys())}))
-          .Variants("type",
-                    {Kind("checker", "Cubes (squares on a surface) of side 1, in turns.", {})
-                         .Begin(BeginChecker),
-                     Kind("stripes", "Stripes across x; one of each colour in a unit.",
-                          Within(&TextureDraft::texture, {SmoothKey()}))
-                         .Begin(BeginStripes),
-                     Kind("gradient", "From `color_a` at y = 0 to `color_b` at y = 1.", {})
-                         .Begin(BeginGradient),
-                     Kind("marble", "Veins across x, moved about by noise.", NoiseKeys())
-                         .Begin(BeginMarble),
-                     Kind("wood", "Year rings around the y axis, one in a unit.", NoiseKeys())
-                         .Begin(BeginWood)})
+          .Variants(
+              "type",
+              {Kind("checker", "Cubes (squares on a surface) of side 1, in turns.", {})
+                   .Begin(BeginChecker),
+               Kind("stripes", "Stripes across x; one of each colour in a unit.",
+                    Within(&TextureDraft::texture, {SmoothKey()}))
+                   .Begin(BeginStripes),
+               Kind("gradient", "From `color_a` at y = 0 to `color_b` at y = 1.", {})
+                   .Begin(BeginGradient),
+               Kind("marble", "Veins across x, moved about by noise.", NoiseKeys())
+                   .Begin(BeginMarble),
+               Kind("wood", "Year rings around the y axis, one in a unit.", NoiseKeys())
+                   .Begin(BeginWood),
+               Kind("image", "A picture from a file, upright in the unit square.", PictureKeys())
+                   .Begin(BeginImage)
+                   .Checked(LoadPicture)})
           .OnlyOne(PlacementSides)
           .Checked(FinishTexture);
   return section;
@@ -124,7 +176,7 @@ bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture)
 
   // A kind's own name is the texture of that kind, unless the files define another
   for (const Variant& variant : TextureSection().variants) {
-    if (variant.name != *text) continue;
+    if (variant.name != *text || variant.name == "image") continue;
     TextureDraft draft;
     variant.begin(&draft);
     draft.texture.name = variant.name;
@@ -147,7 +199,7 @@ bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture)
   return false;
 }
 
-static Type<scene::TextureIndex> TextureName() {
+Type<scene::TextureIndex> TextureName() {
   Type<scene::TextureIndex> type;
   type.expected = "the name of a texture";
   type.schema = R"({"type": "string"})";

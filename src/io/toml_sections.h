@@ -59,11 +59,16 @@ bool HaveNoArea(const vec3& u, const vec3& v);
 // Whether the map can be inverted in single precision and is finite; else `reason` says why not.
 bool IsUsable(const Affine& map, std::string& reason);
 
+// A file in the scene's folder (toml_section_object.cpp).
+Type<std::filesystem::path> SceneFile(std::string example);
+
 // --- Textures and materials (toml_section_texture.cpp, toml_section_material.cpp, toml_materials.cpp) -------
 
 struct TextureDraft {
   scene::Texture texture;
   Placement placement;
+  std::filesystem::path file;  // of a picture
+  bool data = false;           // its numbers are no colours
 };
 
 struct Tint {
@@ -80,12 +85,19 @@ struct MaterialDraft {
   ColorInput specular{Spectrum(0.0f)};
   float shininess = 32;
   bool normalized = false;
+  scene::OpenPbr physical;
 };
 
 const SectionOf<TextureDraft>& TextureSection();
 const SectionOf<Tint>& TintSection();
 const SectionOf<scene::Term>& TermSection();
 const SectionOf<MaterialDraft>& MaterialSection();
+
+// The name of a texture, for keys that take nothing else.
+Type<scene::TextureIndex> TextureName();
+// The keys of normal and bump maps, and the types of materials that are physical (toml_section_physical.cpp).
+Keys<MaterialDraft> MapKeys();
+VariantOf<MaterialDraft> PhysicalMaterial();
 
 // The texture of a name: a defined one or the built-in of that kind.
 bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture);

@@ -43,6 +43,7 @@ class Checker {
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     for (const Light& light : scene_.lights) CheckLight(light);
+    for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
     for (const Material& material : scene_.materials) CheckMaterial(material);
     for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
@@ -124,6 +125,15 @@ class Checker {
     }
   }
 
+  void CheckImage(const Image& image) {
+    const std::size_t channels =
+        4 * std::size_t(std::max(image.width, 0)) * std::size_t(std::max(image.height, 0));
+    const bool whole = image.bytes.size() + image.floats.size() == channels &&
+                       (image.bytes.empty() || image.floats.empty());
+    Require(channels > 0 && whole,
+            fmt::format("the picture '{}' has not as many texels as its size says", image.name));
+  }
+
   void CheckTexture(const Texture& texture) {
     const auto bad = [&](const char* what) {
       return fmt::format("texture '{}' {}", texture.name, what);
@@ -133,6 +143,11 @@ class Checker {
             bad("needs finite colours that are not negative"));
     Require(Finite(texture.turbulence), bad("needs a finite turbulence"));
     Require(texture.octaves >= 1 && texture.octaves <= 16, bad("needs 1 to 16 octaves"));
+    const bool shows = texture.kind == TextureKind::Image;
+    Require(shows ? texture.image >= 0 && texture.image < int(scene_.images.size())
+                  : texture.image == -1,
+            bad("refers to a picture that does not exist"));
+    Require(texture.uvSet == 0 || texture.uvSet == 1, bad("needs the coordinates 0 or 1"));
   }
 
   void CheckColor(const ColorInput& input, bool reflectance, const std::string& what) {
@@ -149,6 +164,8 @@ class Checker {
     const auto of = [&](const char* what) {
       return fmt::format("material '{}': {}", material.name, what);
     };
+    CheckMaps(material, of("a map"));
+    if (material.physical) return CheckPhysical(*material.physical, of("the physical material"));
     CheckColor(material.emission, false, of("the emission"));
     CheckColor(material.reflectivity, true, of("the reflectivity"));
     CheckColor(material.transparency, true, of("the transparency"));
@@ -162,12 +179,54 @@ class Checker {
     Require(material.attenuationDistance > 0, of("the attenuation distance must be positive"));
   }
 
+  bool IsTexture(TextureIndex texture) const {
+    return texture >= -1 && texture < int(scene_.textures.size());
+  }
+
+  bool Sound(const ScalarInput& input) const {
+    return IsTexture(input.texture) && Finite(input.value) && input.value >= 0 &&
+           input.channel >= 0 && input.channel <= 3;
+  }
+
+  void CheckMaps(const Material& material, const std::string& what) {
+    Require(IsTexture(material.normalMap.texture) && IsTexture(material.bumpMap.texture) &&
+                Sound(material.opacity),
+            fmt::format("{} refers to a texture that does not exist", what));
+    Require(Finite(material.normalMap.scale) && Finite(material.bumpMap.scale) &&
+                Finite(material.alphaCutoff),
+            fmt::format("{} needs a finite scale", what));
+  }
+
+  void CheckPhysical(const OpenPbr& m, const std::string& what) {
+    for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
+                                    &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+      CheckColor(*color, false, what);
+    for (const ScalarInput* input :
+         {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
+          &m.transmissionWeight, &m.diffuseTransmissionWeight, &m.subsurfaceWeight, &m.coatWeight,
+          &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight,
+          &m.thinFilmThickness})
+      Require(Sound(*input), fmt::format("{} has a weight that is not sound", what));
+    Require(IsTexture(m.anisotropyDirection) && IsTexture(m.coatNormal.texture),
+            fmt::format("{} refers to a texture that does not exist", what));
+    Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
+            fmt::format("{} needs positive indices of refraction", what));
+    Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
+                NonNegative(m.transmissionColor) && Finite(m.baseWeight) && m.baseWeight >= 0,
+            fmt::format("{} needs finite numbers that are not negative", what));
+  }
+
   void CheckMesh(const Mesh& mesh) {
     const auto bad = [&](const char* what) { return fmt::format("mesh '{}' {}", mesh.name, what); };
     Require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
             bad("has too few normals"));
     Require(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size(),
             bad("has too few texture coordinates"));
+    const auto fits = [&](const auto& attribute) {
+      return attribute.empty() || attribute.size() == mesh.positions.size();
+    };
+    Require(fits(mesh.uvs1) && fits(mesh.tangents) && fits(mesh.colors),
+            bad("has too few coordinates, tangents or colours"));
     for (const uvec3& t : mesh.triangles) {
       if (t.x < mesh.positions.size() && t.y < mesh.positions.size() && t.z < mesh.positions.size())
         continue;
@@ -223,7 +282,10 @@ bool HasLight(const Scene& scene) {
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {
-    if (scene.materials[std::size_t(object.material)].emission.value != Spectrum(0.0f)) return true;
+    const Material& material = scene.materials[std::size_t(object.material)];
+    const ColorInput& emission =
+        material.physical ? material.physical->emission : material.emission;
+    if (emission.value != Spectrum(0.0f)) return true;
   }
   return false;
 }
