@@ -246,5 +246,29 @@ TEST(ObjScene, FilesOfOthers) {
   EXPECT_EQ(read("obj-tinyobj/cornell_box_multimaterial.obj").materials.size(), 4u);
 }
 
+TEST(ObjScene, FilesOfOthersGiveErrorsOrValidScenes) {
+  namespace fs = std::filesystem;
+  const fs::path assets = fs::path(SNELL_SOURCE_DIR) / ".." / "shared" / "assets";
+  if (!fs::exists(assets)) GTEST_SKIP() << "the folder of shared assets is absent";
+  int good = 0, bad = 0;
+  for (const fs::path& folder : {assets / "meshes", assets / "bad"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      if (LowerExtension(entry.path()) != "obj") continue;
+      try {
+        const scene::Scene scene = ReadScene(entry.path(), {}, nullptr);
+        for (const scene::Mesh& mesh : scene.meshes) EXPECT_TRUE(IsSound(mesh)) << entry.path();
+        for (const scene::Texture& texture : scene.textures)
+          EXPECT_LT(texture.image, int(scene.images.size())) << entry.path();
+        ++good;
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind(entry.path().string(), 0), 0u) << error.what();
+        ++bad;
+      }
+    }
+  }
+  EXPECT_GT(good, 40);
+  EXPECT_GT(bad, 10);
+}
+
 }  // namespace
 }  // namespace snell::io
