@@ -189,6 +189,9 @@ TEST(ObjScene, ColorsOfVertices) {
   EXPECT_EQ(scene.meshes[0].colors[2], scene::vec4(1.0f));
   EXPECT_EQ(scene.materials[0].physical->baseColor.value, vec3(1));
 
+  test.Write("a.obj", "v 0 0 0 1 1 x\nv 1 0 0 more\nv 0 1 0 1\nf 1 2 3\n");
+  EXPECT_TRUE(test.Read().meshes.at(0).colors.empty());
+
   test.Write("a.obj", "v 0 0 0 255 0 127.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
   scene = test.Read();
   EXPECT_NEAR(scene.meshes[0].colors[0].z, 0.2140f, 1e-4f);
