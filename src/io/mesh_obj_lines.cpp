@@ -123,7 +123,6 @@ bool ObjLines::Accept(char* begin, char* end) {
     if (count < 3)
       Fail(fmt::format("'{}' needs three numbers, not {}", keyword, count),
            "the file may be cut short");
-    hasColor_ = count >= 6;
     return true;
   }
   if (keyword == "vt") {
@@ -149,12 +148,12 @@ bool ObjLines::Accept(char* begin, char* end) {
   return Skip(ObjExtra::Unknown, keyword);
 }
 
-// How many words follow. The first three must be numbers, the next three are a color; a comment at the end is
-// blanked out.
+// How many words follow. The first three must be numbers, the next three may be a color; a comment at the end
+// is blanked out.
 int ObjLines::CheckNumbers(char* begin, char* end) {
   undefined_ = {};
   TextScanner scanner(std::string_view(begin, std::size_t(end - begin)));
-  int count = 0;
+  int count = 0, intensities = 0;
   for (std::string_view word; !(word = scanner.WordOnLine()).empty(); ++count) {
     if (word[0] == '#') {
       std::fill(begin + (word.data() - begin), end, ' ');
@@ -162,14 +161,14 @@ int ObjLines::CheckNumbers(char* begin, char* end) {
     }
     double value = 0;
     if (count >= 3) {
-      if (count < 6 && !ParseNumber(word, value)) Fail(Quoted(word) + " is not a number");
-      if (count < 6) color_[count - 3] = float(value);
+      if (count < 6 && ParseNumber(word, value)) color_[intensities++] = float(value);
       continue;
     }
     if (IsPlainNumber(word)) continue;
     if (!ParseNumber(word, value) || std::isfinite(value)) Fail(Quoted(word) + " is not a number");
     undefined_[std::size_t(count)] = true;
   }
+  hasColor_ = intensities == 3;
   return count;
 }
 

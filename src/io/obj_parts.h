@@ -55,7 +55,6 @@ class ObjParts {
   const std::vector<ObjPart>& parts() const { return parts_; }
   const std::vector<ObjLibraries>& libraries() const { return libraries_; }
   const std::string& NameOf(std::uint32_t index) const { return *names_[index]; }
-  std::uint32_t NameCount() const { return std::uint32_t(names_.size()); }
 
  private:
   std::uint32_t Intern(std::string_view name);

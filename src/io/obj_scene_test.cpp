@@ -189,6 +189,9 @@ TEST(ObjScene, ColorsOfVertices) {
   EXPECT_EQ(scene.meshes[0].colors[2], scene::vec4(1.0f));
   EXPECT_EQ(scene.materials[0].physical->baseColor.value, vec3(1));
 
+  test.Write("a.obj", "v 0 0 0 1 1 x\nv 1 0 0 more\nv 0 1 0 1\nf 1 2 3\n");
+  EXPECT_TRUE(test.Read().meshes.at(0).colors.empty());
+
   test.Write("a.obj", "v 0 0 0 255 0 127.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n");
   scene = test.Read();
   EXPECT_NEAR(scene.meshes[0].colors[0].z, 0.2140f, 1e-4f);
@@ -244,6 +247,30 @@ TEST(ObjScene, FilesOfOthers) {
   EXPECT_TRUE(fuze.images[0].srgb);
   EXPECT_EQ(read("obj-obj2gltf/box-windows-paths/box-windows-paths.obj").images.size(), 1u);
   EXPECT_EQ(read("obj-tinyobj/cornell_box_multimaterial.obj").materials.size(), 4u);
+}
+
+TEST(ObjScene, FilesOfOthersGiveErrorsOrValidScenes) {
+  namespace fs = std::filesystem;
+  const fs::path assets = fs::path(SNELL_SOURCE_DIR) / ".." / "shared" / "assets";
+  if (!fs::exists(assets)) GTEST_SKIP() << "the folder of shared assets is absent";
+  int good = 0, bad = 0;
+  for (const fs::path& folder : {assets / "meshes", assets / "bad"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      if (LowerExtension(entry.path()) != "obj") continue;
+      try {
+        const scene::Scene scene = ReadScene(entry.path(), {}, nullptr);
+        for (const scene::Mesh& mesh : scene.meshes) EXPECT_TRUE(IsSound(mesh)) << entry.path();
+        for (const scene::Texture& texture : scene.textures)
+          EXPECT_LT(texture.image, int(scene.images.size())) << entry.path();
+        ++good;
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind(entry.path().string(), 0), 0u) << error.what();
+        ++bad;
+      }
+    }
+  }
+  EXPECT_GT(good, 40);
+  EXPECT_GT(bad, 10);
 }
 
 }  // namespace
