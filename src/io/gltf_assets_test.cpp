@@ -61,6 +61,34 @@ TEST(GltfAssets, KnownFilesHaveTheirSizes) {
     EXPECT_EQ(Triangles(ReadGltfFile(Assets() / "gltf" / name).scene), triangles) << name;
 }
 
+TEST(GltfAssets, DamagedCompressionIsSurvived) {
+  if (!fs::exists(Assets() / "gltf")) GTEST_SKIP() << "the folder of shared assets is absent";
+  // The stream of a Draco box in a data URI, and all of a box packed by meshoptimizer
+  const std::string draco = ReadFile(Assets() / "gltf/BoxDraco/BoxDraco.gltf");
+  const std::string stream = ReadFile(Assets() / "gltf/BoxDraco/0.bin");
+  const std::size_t uri = draco.find("0.bin");
+  ASSERT_NE(uri, std::string::npos);
+  const std::string meshopt = ReadFile(Assets() / "gltf/BoxMeshopt.glb");
+  const auto check = [](const std::string& bytes, const char* name) {
+    const GltfResult result = ReadGltfText(bytes, {}, name);
+    for (const scene::Mesh& mesh : result.scene.meshes) EXPECT_TRUE(IsSound(mesh));
+  };
+  for (const int change : {1, 16, 128, 255}) {
+    for (std::size_t i = 0; i < stream.size(); ++i) {
+      std::string changed = stream;
+      changed[i] = char(changed[i] ^ change);
+      std::string document = draco;
+      document.replace(uri, 5, "data:;base64," + Base64(changed));
+      check(document, "a.gltf");
+    }
+    for (std::size_t i = 0; i < meshopt.size(); ++i) {
+      std::string changed = meshopt;
+      changed[i] = char(changed[i] ^ change);
+      check(changed, "a.glb");
+    }
+  }
+}
+
 TEST(GltfAssets, BadFilesGiveErrorsOrSoundScenes) {
   if (!fs::exists(Assets() / "bad")) GTEST_SKIP() << "the folder of shared assets is absent";
   int bad = 0;
