@@ -129,6 +129,7 @@ std::vector<T> GltfData::Read(int index, int components, std::size_t count,
   if (accessor.bufferView >= 0) {
     const Elements from =
         ElementsOf(accessor.bufferView, accessor.byteOffset, accessor.count, size, true, part);
+    CountNumbers(accessor.count * width, part);
     values.resize(accessor.count * width);
     WithComponent(accessor.componentType, [&](auto zero) {
       using C = decltype(zero);
@@ -142,6 +143,7 @@ std::vector<T> GltfData::Read(int index, int components, std::size_t count,
       throw document_.Fault(part,
                             fmt::format("{} without a buffer view; the limit is {}",
                                         Plural(accessor.count, "element"), WithCommas(ZerosLimit)));
+    CountNumbers(accessor.count * width, part);
     values.resize(accessor.count * width);
   }
   if (!accessor.sparse.isSparse) return values;
