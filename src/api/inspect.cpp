@@ -75,7 +75,8 @@ SceneInfo::Item DescribePhysical(const scene::Material& material) {
   if (pbr.fuzzWeight.value > 0) detail += ", fuzz";
   if (pbr.thinFilmWeight.value > 0) detail += ", thin film";
   if (pbr.emission.value != kernel::Spectrum(0.0f)) detail += ", glows";
-  if (material.alphaMode != scene::AlphaMode::Opaque) detail += ", cut out";
+  if (material.alphaMode == scene::AlphaMode::Mask) detail += ", cut out";
+  if (material.alphaMode == scene::AlphaMode::Blend) detail += ", blended";
   return {material.name, "physical", detail};
 }
 

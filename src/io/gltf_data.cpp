@@ -16,6 +16,9 @@ namespace {
 // Elements of an accessor without a buffer view: zeros, as far as `sparse` does not replace them.
 constexpr std::size_t ZerosLimit = std::size_t(1) << 24;
 
+// Numbers that a file's accessors are read for, all together.
+constexpr std::uint64_t NumbersLimit = std::uint64_t(1) << 33;
+
 template <typename C>
 C Load(const char* at) {
   C value;
@@ -100,6 +103,12 @@ GltfData::Elements GltfData::ElementsOf(int view, std::size_t offset, std::size_
   return elements;
 }
 
+void GltfData::CountNumbers(std::size_t count, const std::string& part) {
+  numbersRead_ += count;
+  if (numbersRead_ > NumbersLimit)
+    throw document_.Fault(part, "the file's parts read more numbers than Snell allows");
+}
+
 template <typename T, typename Convert>
 std::vector<T> GltfData::Read(int index, int components, std::size_t count,
                               const Convert& convert) {
@@ -120,6 +129,7 @@ std::vector<T> GltfData::Read(int index, int components, std::size_t count,
   if (accessor.bufferView >= 0) {
     const Elements from =
         ElementsOf(accessor.bufferView, accessor.byteOffset, accessor.count, size, true, part);
+    CountNumbers(accessor.count * width, part);
     values.resize(accessor.count * width);
     WithComponent(accessor.componentType, [&](auto zero) {
       using C = decltype(zero);
@@ -133,6 +143,7 @@ std::vector<T> GltfData::Read(int index, int components, std::size_t count,
       throw document_.Fault(part,
                             fmt::format("{} without a buffer view; the limit is {}",
                                         Plural(accessor.count, "element"), WithCommas(ZerosLimit)));
+    CountNumbers(accessor.count * width, part);
     values.resize(accessor.count * width);
   }
   if (!accessor.sparse.isSparse) return values;

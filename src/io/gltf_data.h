@@ -42,11 +42,14 @@ class GltfData {
   };
   Elements ElementsOf(int view, std::size_t offset, std::size_t count, std::size_t size,
                       bool strided, const std::string& part);
+  // A small file may refer to the same elements again and again: throws Error at a limit.
+  void CountNumbers(std::size_t count, const std::string& part);
   template <typename T, typename Convert>
   std::vector<T> Read(int accessor, int components, std::size_t count, const Convert& convert);
 
   const GltfDocument& document_;
   std::map<int, std::string> decompressed_;
+  std::uint64_t numbersRead_ = 0;
 };
 
 // The bytes of a view with EXT_meshopt_compression. Throws Error.

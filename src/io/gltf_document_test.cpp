@@ -76,7 +76,7 @@ TEST(GltfDocument, MistakesHaveAPlaceAndACause) {
   const std::pair<std::string, std::string> cases[] = {
       {"", "a.gltf: the file is empty"},
       {"hello", "a.gltf:1:1: the JSON is malformed here or just before"},
-      {"{\"asset\":\n {\"version\" 2}}", "a.gltf:2:12: the JSON is malformed here or just before"},
+      {"{\"asset\":\n {\"version\" 2}}", "a.gltf:2:13: the JSON is malformed here or just before"},
       {"[]", "a.gltf: the JSON is no object"},
       {"{}", "a.gltf: there is no 'asset', which every glTF document has"},
       {R"({"asset": {"version": "1.0"}})", "a.gltf: this is glTF 1.0; Snell reads glTF 2.0"},

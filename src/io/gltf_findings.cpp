@@ -10,7 +10,13 @@
 
 namespace snell::io {
 
+static constexpr std::size_t KindLimit = 200;
+
 void GltfFindings::Note(std::string message, std::string where) {
+  if (findings_.size() >= KindLimit) {
+    message = "further findings are not shown";
+    where.clear();
+  }
   const auto known = std::ranges::find(findings_, message, &Finding::message);
   if (known != findings_.end()) {
     ++known->times;

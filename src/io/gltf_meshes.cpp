@@ -12,12 +12,14 @@ namespace snell::io {
 static constexpr std::size_t TriangleLimit = std::size_t(1) << 28;  // of a file
 
 // From the mesh at rest to the world, for each joint of a skin; empty if the skin is of no use.
-std::vector<glm::dmat4> GltfMeshes::Joints(int index, const GltfNodes& nodes) {
+const std::vector<glm::dmat4>& GltfMeshes::Joints(int index, const GltfNodes& nodes) {
   const GltfDocument& document = data_.document();
-  if (index < 0) return {};
+  const auto [entry, isNew] = joints_.try_emplace(index);
+  std::vector<glm::dmat4>& joints = entry->second;
+  if (!isNew || index < 0) return joints;
   if (std::size_t(index) >= document.model.skins.size()) {
     document.findings.Note("a skin does not exist", GltfPart("skin", std::size_t(index)));
-    return {};
+    return joints;
   }
   const tinygltf::Skin& skin = document.model.skins[std::size_t(index)];
   const std::string part = GltfPart("skin", std::size_t(index), skin.name);
@@ -26,7 +28,6 @@ std::vector<glm::dmat4> GltfMeshes::Joints(int index, const GltfNodes& nodes) {
   if (!inverses.empty() && inverses.size() < skin.joints.size() * 16)
     throw document.Fault(part, "it has fewer inverse bind matrices than joints");
 
-  std::vector<glm::dmat4> joints;
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
     const int node = skin.joints[i];
     if (!nodes.Exists(node)) throw document.Fault(part, fmt::format("there is no node {}", node));

@@ -26,12 +26,13 @@ class GltfMeshes {
   std::vector<Part> Of(int node, const GltfNodes& nodes, bool& isSkinned);
 
  private:
-  std::vector<glm::dmat4> Joints(int skin, const GltfNodes& nodes);
+  const std::vector<glm::dmat4>& Joints(int skin, const GltfNodes& nodes);
   std::vector<Part> Read(int mesh, const GltfDeformation& deformation);
 
   GltfData& data_;
   scene::Scene& scene_;
-  std::map<int, std::vector<Part>> shared_;
+  std::map<int, std::vector<Part>> shared_;        // by glTF's mesh
+  std::map<int, std::vector<glm::dmat4>> joints_;  // by glTF's skin
   std::size_t triangles_ = 0;
 };
 

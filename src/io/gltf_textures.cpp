@@ -66,7 +66,9 @@ GltfTextures::GltfTextures(GltfData& data, scene::Scene& scene) : data_(data), s
       if (pictures_.contains(source)) continue;
       GltfPicture& picture = pictures_[source];
       try {
-        bytes[source] = image.uri.empty() ? data.View(image.bufferView) : std::string_view();
+        const std::string_view view =
+            image.uri.empty() ? data.View(image.bufferView) : std::string_view();
+        bytes.emplace(source, view);
       } catch (const Error& error) {
         picture.fault = error.diagnostics().front().message;
       }
