@@ -101,17 +101,23 @@ static Keys<TextureDraft> PictureKeys() {
 }
 
 static Keys<scene::Texture> CommonKeys() {
-  using scene::Texture;
   const auto spaces = Choice<TextureSpace>(
       {{"uv", TextureSpace::Uv}, {"object", TextureSpace::Object}, {"world", TextureSpace::World}});
-  return {Field("color_a", &Texture::colorA, Color(Brightness::Reflectance), "The ground colour.")
-              .Not({"color", "color1", "color_1", "a"}),
-          Field("color_b", &Texture::colorB, Color(Brightness::Reflectance), "The other colour.")
-              .Not({"color2", "color_2", "b"}),
-          Field("space", &Texture::space, spaces,
+  return {Field("space", &scene::Texture::space, spaces,
                 "What the pattern sticks to: the surface's own coordinates, the object's (it moves "
                 "with the object), or the world's.")
               .Not({"mapping", "coordinates"})};
+}
+
+static Keys<TextureDraft> PatternKeys(const Keys<scene::Texture>& more) {
+  using scene::Texture;
+  Keys<Texture> keys = {
+      Field("color_a", &Texture::colorA, Color(Brightness::Reflectance), "The ground colour.")
+          .Not({"color", "color1", "color_1", "a"}),
+      Field("color_b", &Texture::colorB, Color(Brightness::Reflectance), "The other colour.")
+          .Not({"color2", "color_2", "b"})};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return Within(&TextureDraft::texture, keys);
 }
 
 static KeyOf<scene::Texture> SmoothKey() {
@@ -121,8 +127,7 @@ static KeyOf<scene::Texture> SmoothKey() {
 
 static Keys<TextureDraft> NoiseKeys() {
   using scene::Texture;
-  return Within(
-      &TextureDraft::texture,
+  return PatternKeys(
       {Field("turbulence", &Texture::turbulence, Number(NotNegative),
              "How far noise moves the pattern, in periods.")
            .Not({"noise", "distortion"}),
@@ -136,7 +141,8 @@ const SectionOf<TextureDraft>& TextureSection() {
   static const SectionOf<TextureDraft> section =
       SectionOf<TextureDraft>(
           "texture", "[texture.NAME]",
-          "A pattern of two colours, placed so that one unit is one period. Its name can stand "
+          "A pattern of two colours, placed so that one unit is one period, or a picture. Its name "
+          "can stand "
           "where a material takes a colour. Each type is also ready for use under its own name: "
           "`diffuse = \"marble\"`. In `uv`, planes are measured in metres, triangles by their own "
           "coordinates, and all other shapes from 0 to 1: for a ball with many squares, scale the "
@@ -145,12 +151,12 @@ const SectionOf<TextureDraft>& TextureSection() {
                               Within(&TextureDraft::placement, PlacementKeys())}))
           .Variants(
               "type",
-              {Kind("checker", "Cubes (squares on a surface) of side 1, in turns.", {})
+              {Kind("checker", "Cubes (squares on a surface) of side 1, in turns.", PatternKeys({}))
                    .Begin(BeginChecker),
                Kind("stripes", "Stripes across x; one of each colour in a unit.",
-                    Within(&TextureDraft::texture, {SmoothKey()}))
+                    PatternKeys({SmoothKey()}))
                    .Begin(BeginStripes),
-               Kind("gradient", "From `color_a` at y = 0 to `color_b` at y = 1.", {})
+               Kind("gradient", "From `color_a` at y = 0 to `color_b` at y = 1.", PatternKeys({}))
                    .Begin(BeginGradient),
                Kind("marble", "Veins across x, moved about by noise.", NoiseKeys())
                    .Begin(BeginMarble),

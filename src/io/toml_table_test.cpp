@@ -92,6 +92,7 @@ const char* const Bunny =
 
 std::vector<std::string> ErrorsOf(const std::string& text) {
   TestScene scene(text);
+  if (text.find("bricks.png") != std::string::npos) scene.Write("bricks.png", OnePixel);
   if (text.find("bunny.ply") != std::string::npos) scene.Write("bunny.ply", Bunny);
   return scene.Errors();
 }

@@ -15,6 +15,10 @@
 
 namespace snell::io {
 
+// A picture of one red pixel, in Radiance HDR: readers go by the contents.
+inline const std::string OnePixel =
+    "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x01\x01\x81";
+
 class TestScene {
  public:
   TestScene() {
