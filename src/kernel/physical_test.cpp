@@ -36,12 +36,14 @@ TEST(GgxLobe, LosesOnlyWhatItsMaskingTakes) {
   for (const float alpha : {0.1f, 0.3f, 0.7f, 1.0f}) {
     for (const float cosine : {1.0f, 0.7f, 0.4f}) {
       const vec3 wo = At(cosine);
-      const float albedo = Albedo(
-          wo, [&](vec3 wi) { return GgxLobe(alpha, wo.z, wi.z, Dot(n, Normalize(wo + wi))); });
+      const float albedo =
+          Albedo([&](vec3 wi) { return GgxLobe(alpha, wo.z, wi.z, Dot(n, Normalize(wo + wi))); });
       EXPECT_LE(albedo, 1.003f) << alpha << " " << cosine;
       EXPECT_GE(albedo, alpha < 0.2f ? 0.95f : 0.3f) << alpha << " " << cosine;
       // At normal incidence and width 1 the integral is 1 − ln 2
-      if (alpha == 1.0f && cosine == 1.0f) EXPECT_NEAR(albedo, 0.306853f, 1e-4f);
+      if (alpha == 1.0f && cosine == 1.0f) {
+        EXPECT_NEAR(albedo, 0.306853f, 1e-4f);
+      }
     }
   }
 }
