@@ -16,8 +16,8 @@ struct ReadOptions {
   // which is the language of 3D printing, and does not in others.
   std::optional<bool> zUp;
   std::optional<float> smooth;  // crease angle in degrees for bare meshes without normals; 0: flat
-  std::optional<double> time =
-      {};  // seconds, of glTF's animations; without it everything is at rest
+  // Seconds, of glTF's animations; without it everything is at rest.
+  std::optional<double> time = {};
 };
 
 // Throws Error with every mistake found. The result is valid (scene/validate.h).
