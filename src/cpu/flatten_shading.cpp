@@ -207,6 +207,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   m.refractive = from.Refractive() ? 1 : 0;
   m.thin = from.thin ? 1 : 0;
   m.priority = from.priority;
+  m.singleSided = from.doubleSided || from.Refractive() ? 0 : 1;
   m.alphaMode = FlattenAlpha(from.alphaMode);
   m.opacity = Source(from.opacity);
   m.alphaCutoff = from.alphaCutoff;

@@ -55,7 +55,7 @@ class GltfSceneReader {
     for (const glm::dmat4& instance : ReadGltfInstances(data_, node, part)) {
       const glm::dmat4 toWorld = isSkinned ? glm::dmat4(1.0) : nodes_.World(node) * instance;
       if (!IsInvertible(toWorld)) {
-        document_.findings.Note("objects that are scaled to nothing are left out", part);
+        document_.findings.Note("objects whose transform cannot be undone are left out", part);
         continue;
       }
       for (const GltfMeshes::Part& from : parts) AddObject(from, node, toWorld);

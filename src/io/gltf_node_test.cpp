@@ -66,7 +66,7 @@ TEST(GltfNodes, WhatIsScaledToNothingIsLeftOut) {
   const GltfResult result = ReadNodes(R"({"mesh": 0, "scale": [0, 0, 0]}, {"mesh": 0})");
   ASSERT_EQ(result.error, "");
   EXPECT_EQ(result.scene.objects.size(), 1u);
-  EXPECT_EQ(result.warnings, "objects that are scaled to nothing are left out (node 0)\n");
+  EXPECT_EQ(result.warnings, "objects whose transform cannot be undone are left out (node 0)\n");
 }
 
 TEST(GltfNodes, HiddenOnesHideTheirChildren) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/format.h"
 #include "io/gltf.h"
 #include "io/nff.h"
@@ -53,10 +55,21 @@ static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOp
   return scene;
 }
 
+static constexpr float LumensPerWatt = 683;
+
 static scene::Scene ReadGltfScene(const std::filesystem::path& path, const ReadOptions& options,
                                   const WarningSink& warn) {
   scene::Scene scene = ReadGltf(path, options.time, warn);
-  if (scene.lights.empty() && !scene.objects.empty()) scene::AddStudio(scene);
+  if (scene.lights.empty()) {
+    if (!scene.objects.empty()) scene::AddStudio(scene);
+    return scene;
+  }
+  // Expose for the file's lights, which are in lumens: a matt white surface under π lux comes out white. What
+  // glows is in nits then, too
+  scene.settings.exposure = std::log2(LumensPerWatt);
+  for (scene::Material& material : scene.materials) {
+    if (material.physical) material.physical->emission.value /= LumensPerWatt;
+  }
   return scene;
 }
 

@@ -18,7 +18,8 @@ struct ReadOptions {
   // Crease angle in degrees for bare meshes without normals; 0: flat. Without a word, an OBJ file's smoothing
   // groups count first.
   std::optional<float> smooth;
-  std::optional<double> time;   // seconds, of glTF's animations; without it everything is at rest
+  std::optional<double> time =
+      {};  // seconds, of glTF's animations; without it everything is at rest
 };
 
 // Throws Error with every mistake found. The result is valid (scene/validate.h).

@@ -231,6 +231,7 @@ struct Material {
   uint physical;             // None: classic
   uint textured;             // 1: some role has a texture
   uint textures[RoleCount];  // by role; None: there is none. They multiply the values
+  uint singleSided;          // 1: backs let everything pass but shadow rays
   uint alphaMode;
   ScalarSource opacity;
   float alphaCutoff;

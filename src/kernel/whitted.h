@@ -166,6 +166,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   // Let pass what the surface leaves open
   RoleTexels shown = TexelsAt(material, it);
   float opacity = OpacityOf(material, shown, it.alpha);
+  if (material.singleSided == 1u && Dot(it.n, wo) < 0.0f) opacity = 0.0f;
   if (opacity < 1.0f) {
     WhittedBranch open = branch;
     open.weight = branch.weight * (1.0f - opacity);

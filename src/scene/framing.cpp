@@ -128,7 +128,9 @@ void AddStudio(Scene& scene) {
   Object floor;
   floor.name = "studio ground";
   floor.material = MaterialIndex(scene.materials.size());
-  floor.geometry = Plane{vec3(0.0f, box.Empty() ? 0.0f : float(box.lower.y), 0.0f), vec3(0, 1, 0)};
+  // A little below them, for their own lowest faces are to be seen
+  const double height = box.Empty() ? 0 : box.lower.y - 2e-4 * glm::length(box.upper - box.lower);
+  floor.geometry = Plane{vec3(0.0f, float(height), 0.0f), vec3(0, 1, 0)};
   scene.materials.push_back(ground);
   scene.objects.push_back(floor);
 

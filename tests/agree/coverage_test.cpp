@@ -118,6 +118,7 @@ TEST(Coverage, Materials) {
 TEST(Coverage, PhysicalMaterialsAndMaps) {
   const auto materials = Every(&FlatScene::materials);
   EXPECT_EQ(Values(materials, &Material::alphaMode), TagsTo(ALPHA_BLEND));
+  EXPECT_EQ(Values(materials, &Material::singleSided), TagsTo(1));
   for (const auto map : {&Material::physical, &Material::bumpMap})
     EXPECT_TRUE(any_of(materials, [&](const Material& m) { return m.*map != kernel::None; }));
   const auto meshes = Every(&FlatScene::meshes);

@@ -140,9 +140,12 @@ scene::Scene MapsOnSheets() {
     if (i % 4 == 3) material.alphaMode = scene::AlphaMode::Mask;
     if (i % 4 == 2) material.alphaMode = scene::AlphaMode::Blend;
     material.opacity = {1, linear, 3};
+    material.doubleSided = i != 5;
     const int index = builder.Add(material);
     const float x = float(i % 4) * 1.2f - 1.8f, y = float(i / 4) * 1.4f - 0.7f;
-    builder.Place(sheet, index, Move({x, y, 0}) * Scale({i == 3 ? -1.0f : 1.0f, 1, 1}));
+    builder.Place(sheet, index,
+                  Move({x, y, 0}) * Turn(i == 5 ? 150.0f : 0.0f, vec3(0, 1, 0)) *
+                      Scale({i == 3 ? -1.0f : 1.0f, 1, 1}));
   }
   const int lamp = builder.Add(Matte({0.8f, 0.3f, 0.1f}));
   builder.Place(scene::Rectangle{vec3(-3, -2, -1), vec3(6, 0, 0), vec3(0, 4, 0)}, lamp);
