@@ -37,9 +37,10 @@ bool FitsBytes(const image::Image& picture) {
          std::all_of(picture.alpha.begin(), picture.alpha.end(), IsByte);
 }
 
-// PNG and JPEG; the others are linear whatever they are used for.
+// PNG, JPEG and WebP; the others are linear whatever they are used for.
 bool HasCodes(std::string_view bytes) {
-  return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8");
+  return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") ||
+         (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP"));
 }
 
 void StoreBytes(const image::Image& picture, scene::Image& texels) {

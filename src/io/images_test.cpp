@@ -54,6 +54,17 @@ TEST(Images, DeepPicturesBecomeFloats) {
   EXPECT_EQ(Decode(test, "a.exr", ImageUse::Data).floats[5], -1);
 }
 
+TEST(Images, WebpHasCodesAsPngHas) {
+  // A lossless picture of one pixel
+  const char file[] =
+      "RIFF\x1a\0\0\0WEBPVP8L\x0d\0\0\0\x2f\0\0\0\x10\x07\x10\x11\x11\x88\x88\xfe\x07";
+  const std::string bytes(file, sizeof file);
+  const scene::Image color = DecodeTexels(bytes, "a.webp", ImageUse::Color);
+  EXPECT_EQ(color.bytes.size(), 4u);
+  EXPECT_TRUE(color.srgb);
+  EXPECT_FALSE(DecodeTexels(bytes, "a.webp", ImageUse::Data).srgb);
+}
+
 TEST(Images, AlphaIsNotMultiplied) {
   ObjTestScene test;
   test.Paint("a.png", vec3(1, 0, 0), 0.5f);
