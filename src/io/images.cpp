@@ -43,15 +43,6 @@ bool HasCodes(std::string_view bytes) {
          (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP"));
 }
 
-void StoreBytes(const image::Image& picture, scene::Image& texels) {
-  texels.bytes.resize(picture.pixels.size() * 4);
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c)
-      texels.bytes[i * 4 + std::size_t(c)] = image::Quantize8(picture.pixels[i][c]);
-    texels.bytes[i * 4 + 3] = picture.HasAlpha() ? image::Quantize8(picture.alpha[i]) : 255;
-  }
-}
-
 void StoreFloats(const image::Image& picture, ImageUse use, scene::Image& texels) {
   texels.floats.resize(picture.pixels.size() * 4);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -66,6 +57,16 @@ void StoreFloats(const image::Image& picture, ImageUse use, scene::Image& texels
 
 }  // namespace
 
+std::vector<std::uint8_t> ByteTexels(const image::Image& picture) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.pixels.size() * 4);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) bytes.push_back(image::Quantize8(picture.pixels[i][c]));
+    bytes.push_back(picture.HasAlpha() ? image::Quantize8(picture.alpha[i]) : 255);
+  }
+  return bytes;
+}
+
 scene::Image DecodeTexels(std::string_view bytes, const std::string& name, ImageUse use) {
   try {
     scene::Image texels;
@@ -76,7 +77,7 @@ scene::Image DecodeTexels(std::string_view bytes, const std::string& name, Image
     const bool hasCodes = HasCodes(bytes);
     if (hasCodes && FitsBytes(picture)) {
       texels.srgb = use == ImageUse::Color;
-      StoreBytes(picture, texels);
+      texels.bytes = ByteTexels(picture);
       return texels;
     }
     if (hasCodes && use == ImageUse::Color)

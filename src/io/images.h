@@ -12,6 +12,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "image/image.h"
 #include "io/find_file.h"
@@ -22,6 +23,9 @@ namespace snell::io {
 
 // Whether a picture's numbers are colours for the eye or measures such as roughness.
 enum class ImageUse { Color, Data };
+
+// The texels of a picture as bytes, four channels each; alpha is 255 where the picture has none.
+std::vector<std::uint8_t> ByteTexels(const image::Image& picture);
 
 // The texels of a decoded file. Pictures of 8 bits stay bytes; others become floats. Numbers that are not
 // finite become 0, and so do negative ones of colours. Throws Error with `name` as the file.
