@@ -3,23 +3,36 @@
 // For the tests of OBJ scenes: files and pictures in a folder that goes with the test.
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "image/write.h"
 #include "io/obj_scene.h"
-#include "support/scratch_folder.h"
 #include "util/error.h"
 
 namespace snell::io {
 
-class ObjTestScene : public test::ScratchFolder {
+class ObjTestScene {
  public:
+  ObjTestScene() {
+    static int count = 0;
+    folder_ = std::filesystem::temp_directory_path() /
+              ("snell-obj-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
+    std::filesystem::create_directories(folder_);
+  }
+  ~ObjTestScene() { std::filesystem::remove_all(folder_); }
+  ObjTestScene(const ObjTestScene&) = delete;
+  ObjTestScene& operator=(const ObjTestScene&) = delete;
+
   const std::filesystem::path& folder() const { return folder_; }
 
   ObjTestScene& Write(const std::string& name, const std::string& text) {
-    ScratchFolder::Write(name, text);
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
     return *this;
   }
 
@@ -65,6 +78,16 @@ class ObjTestScene : public test::ScratchFolder {
   std::vector<std::string> warnings;
   std::string error;
   scene::Scene contents;  // of ReadMaterial
+
+ private:
+  std::string Local(std::string text) const {
+    const std::string prefix = folder_.string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
+      text.erase(at, prefix.size());
+    return text;
+  }
+
+  std::filesystem::path folder_;
 };
 
 }  // namespace snell::io

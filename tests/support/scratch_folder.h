@@ -33,20 +33,12 @@ class ScratchFolder {
   bool Exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
 
   void Write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   std::string Read(const std::string& name) const {
     std::ostringstream text;
     text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
     return text.str();
-  }
-  // A message with the folder left out of its paths.
-  std::string Local(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
-      text.erase(at, prefix.size());
-    return text;
   }
   // Names of all files, sorted, folders not entered.
   std::vector<std::string> Files() const {
