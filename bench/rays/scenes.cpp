@@ -9,7 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "support/random.h"
 #include "support/transforms.h"
 #include "util/error.h"

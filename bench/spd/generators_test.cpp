@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/nff.h"
+#include "io/nff/nff.h"
 #include "spd/print_database.h"
 
 namespace snell::spd {

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <utility>
 
-#include "io/nff.h"
+#include "io/nff/nff.h"
 #include "spd/generators.h"
 
 namespace snell::spd {

@@ -4,7 +4,7 @@
 #include "api/scene.h"
 #include "io/format.h"
 #include "io/read_scene.h"
-#include "io/toml_scene.h"
+#include "io/toml/scene.h"
 
 namespace snell {
 

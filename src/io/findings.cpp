@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/mesh_text.h"
+#include "io/mesh/text.h"
 #include "util/text.h"
 
 namespace snell::io {

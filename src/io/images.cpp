@@ -13,7 +13,7 @@
 
 #include "image/color.h"
 #include "image/read.h"
-#include "io/mesh_text.h"
+#include "io/mesh/text.h"
 #include "util/file.h"
 
 namespace snell::io {

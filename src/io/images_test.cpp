@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "image/color.h"
-#include "io/obj_test_scene.h"
+#include "io/obj/test_scene.h"
 #include "util/file.h"
 
 namespace snell::io {

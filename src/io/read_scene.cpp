@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "io/format.h"
-#include "io/gltf.h"
-#include "io/nff.h"
-#include "io/obj_scene.h"
-#include "io/read_mesh.h"
-#include "io/toml_scene.h"
+#include "io/gltf/gltf.h"
+#include "io/mesh/read_mesh.h"
+#include "io/nff/nff.h"
+#include "io/obj/scene.h"
+#include "io/toml/scene.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
 #include "util/file.h"

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/gltf.h"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "io/gltf/materials.h"
+#include "io/gltf/meshes.h"
+#include "io/gltf/places.h"
+#include "util/text.h"
+
+namespace snell::io {
+namespace {
+
+constexpr std::size_t ObjectLimit = 10'000'000;
+
+class GltfSceneReader {
+ public:
+  GltfSceneReader(const GltfDocument& document, std::optional<double> time)
+      : document_(document),
+        data_(document),
+        nodes_(data_, time),
+        meshes_(data_, scene_),
+        materials_(data_, scene_) {}
+
+  scene::Scene Read() {
+    for (const int node : nodes_.visible()) {
+      const std::string part = nodes_.NameOf(node);
+      const tinygltf::Node& record = document_.model.nodes[std::size_t(node)];
+      AddObjects(node, part);
+      if (record.camera >= 0) AddCamera(node, part);
+      if (auto light = ReadGltfLight(document_, node, nodes_.World(node), part)) {
+        if (light->name.empty()) light->name = record.name;
+        scene_.lights.push_back(std::move(*light));
+      }
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  void AddCamera(int node, const std::string& part) {
+    const tinygltf::Node& record = document_.model.nodes[std::size_t(node)];
+    auto camera = ReadGltfCamera(document_, record.camera, nodes_.World(node), part);
+    if (!camera) return;
+    if (camera->name.empty()) camera->name = record.name;
+    scene_.cameras.push_back(std::move(*camera));
+  }
+
+  void AddObjects(int node, const std::string& part) {
+    bool isSkinned = false;
+    const std::vector<GltfMeshes::Part> parts = meshes_.Of(node, nodes_, isSkinned);
+    if (parts.empty()) return;
+    for (const glm::dmat4& instance : ReadGltfInstances(data_, node, part)) {
+      const glm::dmat4 toWorld = isSkinned ? glm::dmat4(1.0) : nodes_.World(node) * instance;
+      if (!IsInvertible(toWorld)) {
+        document_.findings.Note("objects whose transform cannot be undone are left out", part);
+        continue;
+      }
+      for (const GltfMeshes::Part& from : parts) AddObject(from, node, toWorld);
+    }
+  }
+
+  void AddObject(const GltfMeshes::Part& from, int node, const glm::dmat4& toWorld) {
+    if (scene_.objects.size() >= ObjectLimit)
+      throw document_.Fault("",
+                            fmt::format("it shows more than {}", Plural(ObjectLimit, "object")));
+    scene::Object object;
+    object.name = document_.model.nodes[std::size_t(node)].name;
+    if (object.name.empty()) object.name = scene_.meshes[std::size_t(from.mesh)].name;
+    object.geometry = scene::MeshGeometry{from.mesh};
+    object.material = materials_.Get(from.material);
+    object.toWorld = toWorld;
+    object.place.file = document_.path.string();
+    scene_.objects.push_back(std::move(object));
+  }
+
+  const GltfDocument& document_;
+  scene::Scene scene_;
+  GltfData data_;
+  GltfNodes nodes_;
+  GltfMeshes meshes_;
+  GltfMaterials materials_;
+};
+
+}  // namespace
+
+scene::Scene ReadGltf(const std::filesystem::path& path, std::optional<double> time,
+                      const WarningSink& warn) {
+  try {
+    const GltfDocument document = OpenGltf(path);
+    scene::Scene scene = GltfSceneReader(document, time).Read();
+    document.findings.Report(path.string(), warn);
+    return scene;
+  } catch (const std::bad_alloc&) {
+    throw Error("not enough memory for the scene", {path.string()});
+  } catch (const std::length_error&) {
+    throw Error("not enough memory for the scene", {path.string()});
+  }
+}
+
+}  // namespace snell::io

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/gltf/meshes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <utility>
+
+namespace snell::io {
+
+static constexpr std::size_t TriangleLimit = std::size_t(1) << 28;  // of a file
+
+// From the mesh at rest to the world, for each joint of a skin; empty if the skin is of no use.
+const std::vector<glm::dmat4>& GltfMeshes::Joints(int index, const GltfNodes& nodes) {
+  const GltfDocument& document = data_.document();
+  const auto [entry, isNew] = joints_.try_emplace(index);
+  std::vector<glm::dmat4>& joints = entry->second;
+  if (!isNew || index < 0) return joints;
+  if (std::size_t(index) >= document.model.skins.size()) {
+    document.findings.Note("a skin does not exist", GltfPart("skin", std::size_t(index)));
+    return joints;
+  }
+  const tinygltf::Skin& skin = document.model.skins[std::size_t(index)];
+  const std::string part = GltfPart("skin", std::size_t(index), skin.name);
+  std::vector<float> inverses;
+  if (skin.inverseBindMatrices >= 0) inverses = data_.Floats(skin.inverseBindMatrices, 16);
+  if (!inverses.empty() && inverses.size() < skin.joints.size() * 16)
+    throw document.Fault(part, "it has fewer inverse bind matrices than joints");
+
+  for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+    const int node = skin.joints[i];
+    if (!nodes.Exists(node)) throw document.Fault(part, fmt::format("there is no node {}", node));
+    joints.push_back(nodes.World(node));
+    if (!inverses.empty()) joints.back() *= glm::dmat4(glm::make_mat4(inverses.data() + i * 16));
+  }
+  return joints;
+}
+
+std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation& deformation) {
+  const GltfDocument& document = data_.document();
+  const tinygltf::Mesh& mesh = document.model.meshes[std::size_t(index)];
+  const std::string name = GltfPart("mesh", std::size_t(index), mesh.name);
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const tinygltf::Primitive& primitive = mesh.primitives[i];
+    const std::string part =
+        mesh.primitives.size() > 1 ? fmt::format("{}, primitive {}", name, i) : name;
+    auto read = ReadGltfPrimitive(data_, primitive, deformation, TriangleLimit - triangles_, part);
+    if (!read) continue;
+    triangles_ += read->triangles.size();
+    read->name = mesh.name.empty() ? part : mesh.name;
+    parts.push_back({scene::MeshIndex(scene_.meshes.size()), primitive.material});
+    scene_.meshes.push_back(std::move(*read));
+  }
+  return parts;
+}
+
+std::vector<GltfMeshes::Part> GltfMeshes::Of(int node, const GltfNodes& nodes, bool& isSkinned) {
+  const GltfDocument& document = data_.document();
+  const tinygltf::Node& record = document.model.nodes[std::size_t(node)];
+  isSkinned = false;
+  if (record.mesh < 0) return {};
+  if (std::size_t(record.mesh) >= document.model.meshes.size()) {
+    document.findings.Note("a mesh does not exist", nodes.NameOf(node));
+    return {};
+  }
+
+  // Weights of the node come before those of the mesh
+  GltfDeformation deformation;
+  deformation.joints = Joints(record.skin, nodes);
+  deformation.weights = nodes.State(node).weights;
+  if (deformation.weights.empty())
+    deformation.weights = document.model.meshes[std::size_t(record.mesh)].weights;
+  isSkinned = !deformation.joints.empty();
+  const bool isBent =
+      isSkinned || std::ranges::any_of(deformation.weights, [](double w) { return w != 0; });
+  if (isBent) return Read(record.mesh, deformation);
+  const auto [entry, isNew] = shared_.try_emplace(record.mesh);
+  if (isNew) entry->second = Read(record.mesh, {});
+  return entry->second;
+}
+
+}  // namespace snell::io

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The meshes of a glTF document in the scene: each primitive once, however many nodes show it; once more
+// for each node that bends it.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "io/gltf/data.h"
+#include "io/gltf/nodes.h"
+#include "io/gltf/primitive.h"
+#include "scene/scene.h"
+
+namespace snell::io {
+
+class GltfMeshes {
+ public:
+  GltfMeshes(GltfData& data, scene::Scene& scene) : data_(data), scene_(scene) {}
+
+  struct Part {
+    scene::MeshIndex mesh = -1;
+    int material = -1;  // glTF's
+  };
+  // The parts that a node shows. `isSkinned` says whether they are in the world already.
+  std::vector<Part> Of(int node, const GltfNodes& nodes, bool& isSkinned);
+
+ private:
+  const std::vector<glm::dmat4>& Joints(int skin, const GltfNodes& nodes);
+  std::vector<Part> Read(int mesh, const GltfDeformation& deformation);
+
+  GltfData& data_;
+  scene::Scene& scene_;
+  std::map<int, std::vector<Part>> shared_;        // by glTF's mesh
+  std::map<int, std::vector<glm::dmat4>> joints_;  // by glTF's skin
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace snell::io

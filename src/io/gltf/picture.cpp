@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pictures of a glTF document: from its folder, a data URI or a buffer view to bytes.
+#include "image/read.h"
+#include "io/gltf/textures.h"
+#include "io/gltf/uri.h"
+#include "io/images.h"
+#include "util/file.h"
+
+namespace snell::io {
+
+GltfPicture ReadGltfPicture(const GltfDocument& document, std::string_view viewBytes, int index) {
+  const GltfImage& source = document.images[std::size_t(index)];
+  GltfPicture picture;
+  try {
+    std::string loaded;
+    if (!source.uri.empty()) {
+      loaded = ReadGltfUri(document.Folder(), source.uri, DefaultFileLimit);
+      viewBytes = loaded;
+    }
+    // The numbers in the file are kept: the use of the texture says what they mean, not the file
+    const image::ReadOptions options{.colorSpace = image::ColorSpace::Raw};
+    const image::Image decoded = image::DecodeImage(viewBytes, document.path.string(), options);
+    picture.width = decoded.width;
+    picture.height = decoded.height;
+    picture.bytes = ByteTexels(decoded);
+  } catch (const Error& error) {
+    picture.fault = error.diagnostics().front().message;
+  }
+  return picture;
+}
+
+}  // namespace snell::io

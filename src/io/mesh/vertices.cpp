@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/mesh/vertices.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+
+namespace snell::io {
+namespace {
+
+using scene::Mesh;
+using scene::uvec3;
+
+constexpr std::uint32_t None = 0xffffffffu;
+
+template <class T>
+std::vector<T> Copy(const std::vector<T>& values, std::span<const std::uint32_t> vertices) {
+  if (values.empty()) return {};
+  std::vector<T> copies(vertices.size());
+  constexpr std::size_t Block = 16384;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, copies.size(), Block),
+                    [&](const auto& block) {
+                      for (std::size_t i = block.begin(); i < block.end(); ++i)
+                        copies[i] = values[vertices[i]];
+                    });
+  return copies;
+}
+
+template <class T>
+void Append(std::vector<T>& values, const std::vector<T>& others) {
+  values.insert(values.end(), others.begin(), others.end());
+}
+
+}  // namespace
+
+Mesh CopyVertices(const Mesh& mesh, std::span<const std::uint32_t> vertices) {
+  Mesh copy;
+  copy.positions = Copy(mesh.positions, vertices);
+  copy.normals = Copy(mesh.normals, vertices);
+  copy.uvs = Copy(mesh.uvs, vertices);
+  copy.uvs1 = Copy(mesh.uvs1, vertices);
+  copy.tangents = Copy(mesh.tangents, vertices);
+  copy.colors = Copy(mesh.colors, vertices);
+  return copy;
+}
+
+void AppendVertices(Mesh& mesh, const Mesh& other) {
+  Append(mesh.positions, other.positions);
+  Append(mesh.normals, other.normals);
+  Append(mesh.uvs, other.uvs);
+  Append(mesh.uvs1, other.uvs1);
+  Append(mesh.tangents, other.tangents);
+  Append(mesh.colors, other.colors);
+}
+
+TriangleExtractor::TriangleExtractor(const Mesh& mesh)
+    : mesh_(mesh), vertexOf_(mesh.positions.size(), None) {}
+
+Mesh TriangleExtractor::Extract(std::span<const std::uint32_t> triangles) {
+  std::vector<uvec3> renamed;
+  renamed.reserve(triangles.size());
+  std::vector<std::uint32_t> sources;
+  for (const std::uint32_t i : triangles) {
+    uvec3 triangle = mesh_.triangles[i];
+    for (int k = 0; k < 3; ++k) {
+      std::uint32_t& vertex = vertexOf_[triangle[k]];
+      if (vertex == None) {
+        vertex = std::uint32_t(sources.size());
+        sources.push_back(triangle[k]);
+      }
+      triangle[k] = vertex;
+    }
+    renamed.push_back(triangle);
+  }
+  for (const std::uint32_t source : sources) vertexOf_[source] = None;
+
+  Mesh part = CopyVertices(mesh_, sources);
+  part.triangles = std::move(renamed);
+  return part;
+}
+
+}  // namespace snell::io

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scene language: one Section per table (toml_table.h), and the drafts that they fill. A draft is a
+// scene record together with what a file may say in other words: a target for a direction, a power for a
+// radiance. The functions that turn drafts into records stand beside the sections.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/toml/table.h"
+#include "scene/scene.h"
+
+namespace snell::io {
+
+using scene::Affine;
+
+// --- Transforms (toml_section_transform.cpp) ----------------------------------------------------------------
+
+// `scale`, `rotate` and `translate`, or `transform`; the parts that are not given are 1.
+struct Placement {
+  Affine scale{1.0};
+  Affine rotate{1.0};
+  Affine translate{1.0};
+  Affine steps{1.0};
+
+  Affine Matrix() const { return steps * translate * rotate * scale; }
+};
+
+struct Rotation {
+  glm::dvec3 axis{0, 1, 0};  // not zero
+  double degrees = 0;        // counter-clockwise for who looks against the axis
+};
+
+struct LookAt {
+  vec3 from{0.0f};
+  vec3 to{0, 0, 1};
+  vec3 up{0, 1, 0};
+};
+
+// One of a list of transforms.
+struct TransformStep {
+  Affine map{1.0};
+};
+
+const SectionOf<Rotation>& RotationSection();
+const SectionOf<LookAt>& LookAtSection();
+const SectionOf<TransformStep>& TransformStepSection();
+Keys<Placement> PlacementKeys();
+inline const std::vector<std::vector<std::string>> PlacementSides = {
+    {"transform"}, {"scale", "rotate", "translate"}};
+
+// Whether two edges span no parallelogram worth the name.
+bool HaveNoArea(const vec3& u, const vec3& v);
+
+// Whether the map can be inverted in single precision and is finite; else `reason` says why not.
+bool IsUsable(const Affine& map, std::string& reason);
+
+// A file in the scene's folder (toml_section_object.cpp).
+Type<std::filesystem::path> SceneFile(std::string example);
+
+// --- Textures and materials (toml_section_texture.cpp, toml_section_material.cpp, toml_materials.cpp) -------
+
+struct TextureDraft {
+  scene::Texture texture;
+  Placement placement;
+  std::filesystem::path file;  // of a picture
+  bool data = false;           // its numbers are no colours
+};
+
+struct Tint {
+  scene::TextureIndex texture = -1;
+  Spectrum color{1.0f};
+};
+
+struct MaterialDraft {
+  scene::Material material;
+  std::string preset;
+  ColorInput color{Spectrum(1.0f)};
+  std::optional<ColorInput> ambient;
+  ColorInput diffuse{Spectrum(0.8f)};
+  ColorInput specular{Spectrum(0.0f)};
+  float shininess = 32;
+  bool normalized = false;
+  scene::OpenPbr physical;
+};
+
+const SectionOf<TextureDraft>& TextureSection();
+const SectionOf<Tint>& TintSection();
+const SectionOf<scene::Term>& TermSection();
+const SectionOf<MaterialDraft>& MaterialSection();
+
+// The name of a texture, for keys that take nothing else.
+Type<scene::TextureIndex> TextureName();
+// The keys of normal and bump maps, and the types of materials that are physical (toml_section_physical.cpp).
+Keys<MaterialDraft> MapKeys();
+VariantOf<MaterialDraft> PhysicalMaterial();
+
+// The texture of a name: a defined one or the built-in of that kind.
+bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture);
+bool ReadTintedTexture(Reader& reader, const Node& table, Brightness brightness, ColorInput& input);
+
+// A material's name, or a table that is one. Materials are added to the scene.
+Type<scene::MaterialIndex> MaterialNameOrTable();
+scene::MaterialIndex AddMaterial(Reader& reader, const std::string& name, const Fields& fields);
+// Of objects that name none.
+scene::MaterialIndex DefaultMaterial(Reader& reader);
+
+// A ready material as the text of its table.
+struct Preset {
+  const char* name;
+  const char* text;  // one sentence
+  const char* toml;
+};
+const std::vector<Preset>& Presets();
+
+// --- Lights (toml_section_light.cpp) ------------------------------------------------------------------------
+
+struct LightDraft {
+  scene::Light light;
+  std::optional<vec3> lookAt;
+  std::optional<float> power;
+  std::optional<float> innerAngle;
+  std::vector<vec3> vertices;
+};
+
+const SectionOf<LightDraft>& LightSection();
+
+// The light as it shines when placed by `toWorld`. Reports at `place` if there is no such light.
+bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, const Place& place,
+                scene::Light& light);
+
+// --- Objects (toml_section_object.cpp, toml_section_shapes.cpp, toml_section_mesh.cpp) ----------------------
+
+// An inline mesh, or the one of a triangle.
+struct MeshDraft {
+  std::vector<vec3> positions;
+  std::vector<scene::uvec3> triangles;
+  std::vector<std::vector<int>> polygons;
+  std::vector<vec3> normals;
+  std::vector<vec2> uvs;
+  float smooth = 40;  // degrees
+};
+
+struct ObjectDraft {
+  scene::Object object;
+  Placement placement;
+  MeshDraft mesh;
+  std::filesystem::path file;
+  float smooth = 40;  // degrees
+  bool ignoreNormals = false;
+  std::string group;
+  int meshes = -1;  // of the reader's mesh library
+};
+
+const SectionOf<MeshDraft>& MeshSection();
+const SectionOf<ObjectDraft>& ObjectSection();
+std::vector<VariantOf<ObjectDraft>> ShapeVariants();
+Keys<MeshDraft> TriangleKeys();
+void CheckTriangle(Reader& reader, const Fields& fields, MeshDraft& mesh);
+
+// The mesh of a draft that has passed its checks.
+scene::Mesh BuildMesh(const MeshDraft& draft);
+
+// --- Single tables (toml_section_scene.cpp) -----------------------------------------------------------------
+
+struct RenderDraft {
+  scene::RenderSettings settings;
+  std::array<int, 2> size{settings.width, settings.height};
+};
+
+struct CameraDraft {
+  scene::Camera camera;
+  std::optional<vec3> direction;
+};
+
+struct EnvironmentDraft {
+  scene::Environment environment;
+  std::optional<Spectrum> color;
+};
+
+// What a file and a group may define; the reader takes these keys itself.
+struct FileDraft {};
+struct GroupDraft {};
+
+const SectionOf<RenderDraft>& RenderSection();
+const SectionOf<CameraDraft>& CameraSection();
+const SectionOf<EnvironmentDraft>& EnvironmentSection();
+const SectionOf<FileDraft>& FileSection();
+const SectionOf<GroupDraft>& GroupSection();
+
+// All sections, in the order of the reference page.
+const std::vector<const Section*>& AllSections();
+
+}  // namespace snell::io
