@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// The map statements of MTL files: a file name after options that scale, shift or select.
 #include <fmt/format.h>
 
 #include <algorithm>
