@@ -7,6 +7,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "util/check.h"
 
@@ -32,6 +33,8 @@ constexpr int MaxSahDepth = 48;
 // Ranges of more references are worked on by several threads.
 constexpr std::uint32_t ParallelSize = 32768;
 constexpr std::uint32_t TaskSize = 2048;
+// Nodes that a task takes at a time.
+constexpr std::uint32_t NodesAtATime = 64;
 
 // Bounds of a range, of its centroids (doubled), its primitives' weight, and which kinds it holds.
 struct Extent {
@@ -168,18 +171,42 @@ Split BestSplit(const Bins& bins, const BinMap& map) {
 class Builder {
  public:
   explicit Builder(HugeVector<PrimitiveRef>& references)
-      : references_(references), tree_(2 * references.size() - 1) {}
+      : references_(references), tree_(2 * references.size()) {}
 
   BinaryTree Build() {
     const std::uint32_t count = std::uint32_t(references_.size());
     if (count >= ParallelSize) scratch_.resize(count);
-    BuildNode(0, {0, count, false, ExtentOf(0, count, false)}, 0);
+    Places places(*this, count);
+    BuildNode(0, {0, count, false, ExtentOf(0, count, false)}, 0, places);
+    tree_.resize(used_);
     return std::move(tree_);
   }
 
  private:
-  // A subtree over n references takes the 2n − 1 nodes from `index` on, whichever thread builds it.
-  void BuildNode(std::uint32_t index, Range range, int depth) {
+  // Hands out places for the nodes that a task makes: for all those below a node over n references, which are
+  // 2n − 2 at most, or for the children of a node that are tasks themselves.
+  class Places {
+   public:
+    Places(Builder& builder, std::uint32_t references)
+        : builder_(builder), left_(references > TaskSize ? 2 : 2 * references - 2) {}
+    std::uint32_t TakePair() {
+      if (next_ == end_) {
+        const std::uint32_t count = std::min(NodesAtATime, left_);
+        left_ -= count;
+        next_ = builder_.used_.fetch_add(count, std::memory_order_relaxed);
+        end_ = next_ + count;
+      }
+      next_ += 2;
+      return next_ - 2;
+    }
+
+   private:
+    Builder& builder_;
+    std::uint32_t left_;
+    std::uint32_t next_ = 0, end_ = 0;
+  };
+
+  void BuildNode(std::uint32_t index, Range range, int depth, Places& places) {
     if (range.inScratch && range.Count() < ParallelSize) BringBack(range);
     const std::uint32_t kinds = range.extent.kinds;
     const bool mixed = (kinds & (kinds - 1)) != 0;
@@ -190,15 +217,17 @@ class Builder {
       tree_[index].Set(range.extent.box, range.Count(), 0);
       return;
     }
-    const std::uint32_t rightIndex = index + 2 * left.Count();
-    tree_[index].Set(range.extent.box, range.Count(), rightIndex);
-    const auto buildLeft = [&] { BuildNode(index + 1, left, depth + 1); };
-    const auto buildRight = [&] { BuildNode(rightIndex, right, depth + 1); };
+    const std::uint32_t children = places.TakePair();
+    tree_[index].Set(range.extent.box, range.Count(), children);
     if (range.Count() > TaskSize) {
-      tbb::parallel_invoke(buildLeft, buildRight);
+      const auto build = [&](std::uint32_t child, const Range& its) {
+        Places own(*this, its.Count());
+        BuildNode(child, its, depth + 1, own);
+      };
+      tbb::parallel_invoke([&] { build(children, left); }, [&] { build(children + 1, right); });
     } else {
-      buildLeft();
-      buildRight();
+      BuildNode(children, left, depth + 1, places);
+      BuildNode(children + 1, right, depth + 1, places);
     }
   }
 
@@ -346,6 +375,7 @@ class Builder {
   HugeVector<PrimitiveRef>& references_;
   HugeVector<PrimitiveRef> scratch_;
   BinaryTree tree_;
+  std::atomic<std::uint32_t> used_ = 2;  // the root is alone
 };
 
 }  // namespace

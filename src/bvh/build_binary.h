@@ -11,23 +11,25 @@
 
 namespace snell::bvh {
 
-// A node covers the references [first, first + count). The children of an inner node are the next node and
-// the one at `right`, which is 0 in a leaf.
+// A node covers the references [first, first + count); those of its left child come first. Siblings lie side
+// by side, the left one at an even place.
 struct BinaryNode {
   Box box;
 
   std::uint32_t Count() const { return std::bit_cast<std::uint32_t>(box.lower[3]); }
-  std::uint32_t Right() const { return std::bit_cast<std::uint32_t>(box.upper[3]); }
-  bool IsLeaf() const { return Right() == 0; }
-  void Set(const Box& bounds, std::uint32_t count, std::uint32_t right) {
+  // The left child; 0: a leaf.
+  std::uint32_t Left() const { return std::bit_cast<std::uint32_t>(box.upper[3]); }
+  std::uint32_t Right() const { return Left() + 1; }
+  bool IsLeaf() const { return Left() == 0; }
+  void Set(const Box& bounds, std::uint32_t count, std::uint32_t left) {
     box = bounds;
     box.lower[3] = std::bit_cast<float>(count);
-    box.upper[3] = std::bit_cast<float>(right);
+    box.upper[3] = std::bit_cast<float>(left);
   }
 };
 
-// The root is the first node. A subtree over n references takes 2n − 1 places, of which leaves of several
-// references leave some unused.
+// The root is the first node; some places are unused. Where in the array a node lies may differ from one build
+// to the next, but not how the nodes hang together.
 using BinaryTree = HugeVector<BinaryNode>;
 
 // Pairs of triangles, shapes or instances in one leaf, at most.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "bvh/blocks.h"
 #include "util/check.h"
@@ -40,6 +41,12 @@ struct Choice {
   std::uint8_t toLeft[Width];
 };
 
+// What the tasks that write a subtree must know beforehand: where its parts begin. Small subtrees have no parts.
+struct Layout {
+  Usage usage;
+  std::vector<Layout> parts;
+};
+
 struct Children {
   std::uint32_t index[Width];
   std::uint32_t first[Width];  // where their references begin
@@ -51,14 +58,14 @@ class Collapser {
   Collapser(const BinaryTree& tree, const HugeVector<PrimitiveRef>& references,
             const Geometry& geometry, WideArrays& arrays)
       : tree_(tree), references_(references), geometry_(geometry), arrays_(arrays) {
-    usages_.resize(tree.size());
     choices_.resize(tree.size());
     leastArea_ = std::max(tree[0].box.HalfArea() * 1e-9f, 1e-30f);
   }
 
   ChildRef Collapse() {
     Choose(0);
-    const Usage total = Plan(0, 0);
+    const Layout layout = Plan(0, 0);
+    const Usage& total = layout.usage;
     Usage start{std::uint32_t(arrays_.nodes.size()), std::uint32_t(arrays_.blocks.size()),
                 std::uint32_t(arrays_.shapes.size()), std::uint32_t(arrays_.placed.size())};
     const std::uint64_t elements = std::max({std::uint64_t(start.blocks) + total.blocks,
@@ -72,7 +79,7 @@ class Collapser {
     arrays_.shapes.resize(start.shapes + total.shapes);
     arrays_.placed.resize(start.placed + total.placed);
     ChildRef root = NoChild;
-    Emit(0, 0, start, root);
+    Emit(0, 0, layout, start, root);
     return root;
   }
 
@@ -89,7 +96,7 @@ class Collapser {
     const BinaryNode& node = tree_[index];
     if (node.IsLeaf()) return {};
     Areas left, right;
-    const auto chooseLeft = [&] { left = Choose(index + 1); };
+    const auto chooseLeft = [&] { left = Choose(node.Left()); };
     const auto chooseRight = [&] { right = Choose(node.Right()); };
     if (node.Count() > TaskSize) {
       tbb::parallel_invoke(chooseLeft, chooseRight);
@@ -132,8 +139,9 @@ class Collapser {
   void Open(std::uint32_t index, std::uint32_t firstReference, int places,
             Children& children) const {
     const int toLeft = choices_[index].toLeft[places - 1];
-    Add(index + 1, firstReference, toLeft, children);
-    Add(tree_[index].Right(), firstReference + tree_[index + 1].Count(), places - toLeft, children);
+    const BinaryNode& node = tree_[index];
+    Add(node.Left(), firstReference, toLeft, children);
+    Add(node.Right(), firstReference + tree_[node.Left()].Count(), places - toLeft, children);
   }
 
   void Add(std::uint32_t index, std::uint32_t firstReference, int places,
@@ -153,63 +161,67 @@ class Collapser {
   }
 
   // What a subtree will take.
-  Usage Plan(std::uint32_t index, std::uint32_t firstReference) {
-    Usage usage;
+  Usage UsageOf(std::uint32_t index, std::uint32_t firstReference) const {
     const BinaryNode& node = tree_[index];
     if (node.IsLeaf()) return UsageOfLeaf(references_[firstReference].Kind(), node.Count());
     const Children children = ChildrenOf(index, firstReference);
-    usage.nodes = 1;
-    if (node.Count() > TaskSize) {
-      Usage parts[Width];
-      tbb::parallel_for(0, children.count,
-                        [&](int i) { parts[i] = Plan(children.index[i], children.first[i]); });
-      for (int i = 0; i < children.count; ++i) usage += parts[i];
-    } else {
-      for (int i = 0; i < children.count; ++i) usage += Plan(children.index[i], children.first[i]);
-    }
-    return usages_[index] = usage;
+    Usage usage{.nodes = 1};
+    for (int i = 0; i < children.count; ++i) usage += UsageOf(children.index[i], children.first[i]);
+    return usage;
   }
 
-  // Write a subtree to its place. Returns its surface, the sum over its primitives.
-  float Emit(std::uint32_t index, std::uint32_t firstReference, Usage start, ChildRef& ref) {
+  Layout Plan(std::uint32_t index, std::uint32_t firstReference) const {
+    if (tree_[index].Count() <= TaskSize) return {UsageOf(index, firstReference), {}};
+    const Children children = ChildrenOf(index, firstReference);
+    Layout layout{{.nodes = 1}, std::vector<Layout>(std::size_t(children.count))};
+    tbb::parallel_for(0, children.count, [&](int i) {
+      layout.parts[std::size_t(i)] = Plan(children.index[i], children.first[i]);
+    });
+    for (const Layout& part : layout.parts) layout.usage += part.usage;
+    return layout;
+  }
+
+  // Write a subtree to its place, from `next` on, which moves behind it. Returns its surface, the sum over its
+  // primitives.
+  float Emit(std::uint32_t index, std::uint32_t firstReference, const Layout& layout, Usage& next,
+             ChildRef& ref) {
     const BinaryNode& node = tree_[index];
     if (node.IsLeaf()) {
       const LeafKind kind = references_[firstReference].Kind();
       if (kind == LeafKind::Triangles) {
-        ref = LeafRef(kind, start.blocks, 1);
-        return PackBlock(start.blocks, firstReference, node.Count());
+        ref = LeafRef(kind, next.blocks, 1);
+        return PackBlock(next.blocks++, firstReference, node.Count());
       }
       const bool isShape = kind == LeafKind::Shapes;
-      ref = LeafRef(kind, isShape ? start.shapes : start.placed, node.Count());
+      ref = LeafRef(kind, isShape ? next.shapes : next.placed, node.Count());
       for (std::uint32_t i = 0; i < node.Count(); ++i) {
         const std::uint32_t id = references_[firstReference + i].First();
         if (isShape) {
-          arrays_.shapes[start.shapes + i] = id;
+          arrays_.shapes[next.shapes++] = id;
         } else {
-          PackInstance(arrays_.placed[start.placed + i], id, geometry_);
+          PackInstance(arrays_.placed[next.placed++], id, geometry_);
         }
       }
       return node.box.HalfArea();
     }
 
     const Children children = ChildrenOf(index, firstReference);
-    ref = start.nodes++;
-    Usage starts[Width];
-    for (int i = 0; i < children.count; ++i) {
-      starts[i] = start;
-      const BinaryNode& child = tree_[children.index[i]];
-      start += child.IsLeaf() ? UsageOfLeaf(references_[children.first[i]].Kind(), child.Count())
-                              : usages_[children.index[i]];
-    }
+    ref = next.nodes++;
     ChildRef refs[Width];
     float surfaces[Width];
-    const auto emit = [&](int i) {
-      surfaces[i] = Emit(children.index[i], children.first[i], starts[i], refs[i]);
+    const auto emit = [&](int i, const Layout& part, Usage& from) {
+      surfaces[i] = Emit(children.index[i], children.first[i], part, from, refs[i]);
     };
-    if (node.Count() > TaskSize) {
-      tbb::parallel_for(0, children.count, emit);
+    if (layout.parts.empty()) {
+      for (int i = 0; i < children.count; ++i) emit(i, layout, next);
     } else {
-      for (int i = 0; i < children.count; ++i) emit(i);
+      Usage starts[Width];
+      for (int i = 0; i < children.count; ++i) {
+        starts[i] = next;
+        next += layout.parts[std::size_t(i)].usage;
+      }
+      tbb::parallel_for(0, children.count,
+                        [&](int i) { emit(i, layout.parts[std::size_t(i)], starts[i]); });
     }
 
     // Put last what is likely to stop a shadow ray at little cost
@@ -253,7 +265,6 @@ class Collapser {
   const HugeVector<PrimitiveRef>& references_;
   const Geometry& geometry_;
   WideArrays& arrays_;
-  HugeVector<Usage> usages_;
   HugeVector<Choice> choices_;
   float leastArea_;  // so that nodes without extent cost something, too
 };

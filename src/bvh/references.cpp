@@ -2,6 +2,7 @@
 #include "bvh/references.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <array>
 
@@ -75,24 +76,35 @@ Chunk PairChunk(const Geometry& geometry, std::uint32_t first, std::uint32_t las
 HugeVector<PrimitiveRef> PairTriangles(const Geometry& geometry, std::uint32_t first,
                                        std::uint32_t count, std::uint64_t& dropped) {
   const std::uint32_t chunkCount = (count + ChunkSize - 1) / ChunkSize;
-  std::vector<Chunk> chunks(chunkCount);
-  HugeVector<PrimitiveRef> paired(count);
-  tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
-    const std::uint32_t from = first + c * ChunkSize;
-    const std::uint32_t to = std::min(from + ChunkSize, first + count);
-    chunks[c] = PairChunk(geometry, from, to, paired.data() + c * ChunkSize);
-  });
+  // Some chunks at a time, so that what is touched of the memory is little more than what remains
+  const std::uint32_t atATime =
+      std::min(chunkCount, 4u * std::uint32_t(tbb::this_task_arena::max_concurrency()));
+  std::vector<Chunk> chunks(atATime);
+  std::vector<std::uint32_t> starts(atATime);
+  HugeVector<PrimitiveRef> paired(std::size_t(atATime) * ChunkSize);
+  HugeVector<PrimitiveRef> references;
+  references.reserve(count);
+  for (std::uint32_t done = 0; done < chunkCount; done += atATime) {
+    const std::uint32_t now = std::min(atATime, chunkCount - done);
+    tbb::parallel_for(0u, now, [&](std::uint32_t c) {
+      const std::uint32_t from = first + (done + c) * ChunkSize;
+      const std::uint32_t to = std::min(from + ChunkSize, first + count);
+      chunks[c] = PairChunk(geometry, from, to, paired.data() + c * ChunkSize);
+    });
 
-  // Close the gaps between the chunks
-  std::vector<std::uint32_t> starts(chunkCount + 1, 0);
-  for (std::uint32_t c = 0; c < chunkCount; ++c) {
-    starts[c + 1] = starts[c] + chunks[c].references;
-    dropped += chunks[c].dropped;
+    // Close the gaps between the chunks
+    std::uint32_t total = std::uint32_t(references.size());
+    for (std::uint32_t c = 0; c < now; ++c) {
+      starts[c] = total;
+      total += chunks[c].references;
+      dropped += chunks[c].dropped;
+    }
+    references.resize(total);
+    tbb::parallel_for(0u, now, [&](std::uint32_t c) {
+      std::copy_n(paired.data() + c * ChunkSize, chunks[c].references,
+                  references.data() + starts[c]);
+    });
   }
-  HugeVector<PrimitiveRef> references(starts[chunkCount]);
-  tbb::parallel_for(0u, chunkCount, [&](std::uint32_t c) {
-    std::copy_n(paired.data() + c * ChunkSize, chunks[c].references, references.data() + starts[c]);
-  });
   return references;
 }
 

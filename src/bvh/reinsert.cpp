@@ -64,8 +64,8 @@ class Optimizer {
     const std::uint32_t children = std::uint32_t(nodes_.size());
     nodes_[place].left = children;
     nodes_.resize(nodes_.size() + 2);
-    Unpack(children, index + 1, place, first);
-    Unpack(children + 1, node.Right(), place, first + tree_[index + 1].Count());
+    Unpack(children, node.Left(), place, first);
+    Unpack(children + 1, node.Right(), place, first + tree_[node.Left()].Count());
   }
 
   static std::uint32_t SiblingOf(std::uint32_t node) { return node % 2 == 1 ? node + 1 : node - 1; }
@@ -192,24 +192,25 @@ class Optimizer {
 
   void Pack() {
     HugeVector<PrimitiveRef> sorted(references_.size());
-    PackNode(0, 0, 0, sorted);
+    tree_.resize(nodes_.size() + 1);
+    PackNode(0, 0, sorted);
     references_ = std::move(sorted);
   }
 
-  // A subtree over n references takes 2n − 1 places, as before.
-  void PackNode(std::uint32_t place, std::uint32_t index, std::uint32_t first,
-                HugeVector<PrimitiveRef>& sorted) {
+  // The root is node 0 of both trees, and its children, nodes 1 and 2 here, are 2 and 3 there.
+  static std::uint32_t Packed(std::uint32_t place) { return place == 0 ? 0 : place + 1; }
+
+  void PackNode(std::uint32_t place, std::uint32_t first, HugeVector<PrimitiveRef>& sorted) {
     const Node& node = nodes_[place];
     if (node.IsLeaf()) {
-      tree_[index].Set(node.box, node.count, 0);
+      tree_[Packed(place)].Set(node.box, node.count, 0);
       std::copy_n(references_.begin() + node.first, node.count, sorted.begin() + first);
       return;
     }
     const std::uint32_t leftCount = nodes_[node.left].count;
-    const std::uint32_t right = index + 2 * leftCount;
-    tree_[index].Set(node.box, node.count, right);
-    const auto packLeft = [&] { PackNode(node.left, index + 1, first, sorted); };
-    const auto packRight = [&] { PackNode(node.left + 1, right, first + leftCount, sorted); };
+    tree_[Packed(place)].Set(node.box, node.count, Packed(node.left));
+    const auto packLeft = [&] { PackNode(node.left, first, sorted); };
+    const auto packRight = [&] { PackNode(node.left + 1, first + leftCount, sorted); };
     if (node.count > 8192) {
       tbb::parallel_for(0, 2, [&](int i) { i == 0 ? packLeft() : packRight(); });
     } else {
