@@ -73,8 +73,10 @@ IndexFault CheckCorner(std::string_view word) {
 }  // namespace
 
 ObjLines::ObjLines(MeshFile& file, ObjParts& parts)
-    : file_(file), parts_(parts), next_(file.bytes.data()), end_(next_ + file.bytes.size()) {
-  RequireText(file.bytes, file.name);
+    : file_(file), parts_(parts) {
+  MakeUtf8(file.bytes, file.name);
+  next_ = file.bytes.data();
+  end_ = next_ + file.bytes.size();
   if (std::string_view(file.bytes).starts_with("\xef\xbb\xbf")) next_ += 3;
 
   // Carriage returns alone were the line ends of old Macs

@@ -232,6 +232,34 @@ TEST(MeshObj, FilesWithoutFacesSayWhatTheyHave) {
             "test.obj: not a text file in ASCII or UTF-8: it holds zero bytes");
 }
 
+// As 16-bit units after their mark, in the order of bytes that the mark tells.
+static std::string AsUtf16(std::u16string_view text, bool little) {
+  std::string bytes;
+  for (const char16_t unit : u"\ufeff" + std::u16string(text)) {
+    const char low = char(unit & 0xff), high = char(unit >> 8);
+    bytes += little ? low : high;
+    bytes += little ? high : low;
+  }
+  return bytes;
+}
+
+TEST(MeshObj, Utf16IsRead) {
+  constexpr std::u16string_view text =
+      u"o h\u00fct\u20ac\U0001f3a9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const bool little : {true, false}) {
+    const MeshResult result = ReadObjText(AsUtf16(text, little));
+    EXPECT_EQ(result.error, "");
+    EXPECT_EQ(result.mesh.name, "h\xc3\xbct\xe2\x82\xac\xf0\x9f\x8e\xa9");
+    EXPECT_EQ(result.mesh.triangles.size(), 1u);
+  }
+  // Half of a pair and half of a unit
+  const std::string lone =
+      AsUtf16(std::u16string(u"o a") + char16_t(0xd83c) + u"\nv 0 0 0\n", true) + "x";
+  EXPECT_NE(ReadObjText(lone).error, "");
+  EXPECT_EQ(ReadObjText(AsUtf16(std::u16string_view(u"v 0\0", 4), false)).error,
+            "test.obj: not a text file in ASCII or UTF-8: it holds zero bytes");
+}
+
 TEST(MeshObj, LimitsHold) {
   const std::string text = std::string(Square) + "f 1 2 3 4\n";
   EXPECT_EQ(ReadText("a.obj", text, {.maxTriangles = 1}).error,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <utility>
 
 #include "util/error.h"
 
@@ -51,6 +52,44 @@ void RequireText(std::string_view bytes, const std::string& file) {
   const bool utf16 = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
   throw Error("not a text file in ASCII or UTF-8: it holds zero bytes", {file},
               utf16 ? "it seems to be UTF-16; save it as UTF-8" : "");
+}
+
+static void AppendUtf8(std::string& text, std::uint32_t code) {
+  if (code < 0x80) {
+    text += char(code);
+    return;
+  }
+  const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+  constexpr std::uint32_t Lead[] = {0, 0xc0, 0xe0, 0xf0};
+  text += char(Lead[more] | code >> 6 * more);
+  for (int i = more - 1; i >= 0; --i) text += char(0x80 | (code >> 6 * i & 0x3f));
+}
+
+void MakeUtf8(std::string& bytes, const std::string& file) {
+  const bool little = bytes.starts_with("\xff\xfe");
+  if (!little && !bytes.starts_with("\xfe\xff")) return RequireText(bytes, file);
+  const auto unit = [&](std::size_t at) {
+    const auto low = std::uint8_t(bytes[at + (little ? 0 : 1)]);
+    const auto high = std::uint8_t(bytes[at + (little ? 1 : 0)]);
+    return std::uint32_t(high) << 8 | low;
+  };
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  constexpr std::uint32_t Replacement = 0xfffd;
+  for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    std::uint32_t code = unit(at);
+    const bool leads = code >= 0xd800 && code < 0xdc00;
+    const std::uint32_t next = leads && at + 3 < bytes.size() ? unit(at + 2) : 0;
+    if (next >= 0xdc00 && next < 0xe000) {
+      code = 0x10000 + ((code - 0xd800) << 10) + (next - 0xdc00);
+      at += 2;
+    } else if (code >= 0xd800 && code < 0xe000) {
+      code = Replacement;
+    }
+    AppendUtf8(text, code);
+  }
+  bytes = std::move(text);
+  RequireText(bytes, file);
 }
 
 bool ParseNumber(std::string_view word, double& value) {

@@ -41,6 +41,9 @@ class TextScanner {
 // Throws Error if the bytes are no text in ASCII or UTF-8, which has no zero bytes.
 void RequireText(std::string_view bytes, const std::string& file);
 
+// The same for formats that are also found in UTF-16: that is turned to UTF-8, if it begins with its mark.
+void MakeUtf8(std::string& bytes, const std::string& file);
+
 // The whole word as a number; false if it is none. Numbers too large for a double become infinite; "inf"
 // and "nan", in whatever way C libraries print them, are numbers.
 bool ParseNumber(std::string_view word, double& value);

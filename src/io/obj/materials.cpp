@@ -68,7 +68,9 @@ class LibraryReader {
       return;
     }
     if (!seen_.insert(path->string()).second) return;
-    ReadMtl(ReadFile(*path, MaxLibraryBytes), path->string(), materials_, findings_);
+    std::string text = ReadFile(*path, MaxLibraryBytes);
+    MakeUtf8(text, path->string());
+    ReadMtl(text, path->string(), materials_, findings_);
   }
 
   const MeshFile& file_;
