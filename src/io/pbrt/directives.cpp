@@ -3,6 +3,8 @@
 // The statements about the state, the files and the options.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
 #include <glm/matrix.hpp>
 #include <utility>
 
@@ -147,12 +149,25 @@ void PbrtReader::Integrator() {
   parameters.ReportUnused(context_.findings);
 }
 
+// A name, before which a type may stand, and a value.
 void PbrtReader::Option() {
-  const PbrtParameters parameters = Parameters("");
-  view_.ReadOption(parameters);
-  for (const auto& parameter : parameters.All())
-    if (parameter->name != "seed" && parameter->name != "rendercoordsys")
-      context_.findings.Add("option", "of pbrt's not used", parameter->name, parameter->place);
+  std::string name = String("a name");
+  name = name.substr(name.find_last_of(' ') + 1);
+  const bool isBracketed = words_->Peek().kind == PbrtWord::Kind::Open;
+  if (isBracketed) words_->Next();
+  const PbrtWord value = words_->Next();
+  double number = 0;
+  const bool isNumber = value.kind == PbrtWord::Kind::Bare && ParseNumber(value.text, number);
+  if (value.kind != PbrtWord::Kind::Bare && value.kind != PbrtWord::Kind::String)
+    throw Error(fmt::format("option {} needs a value, not {}", Quoted(name), Quoted(value)),
+                words_->PlaceOf(value));
+  if (isBracketed && words_->Next().kind != PbrtWord::Kind::Close)
+    throw Error(fmt::format("option {} needs one value", Quoted(name)), place_);
+  if (name == "seed" && isNumber && std::abs(number) < 1e9) {
+    context_.scene.settings.seed = std::uint32_t(std::int64_t(number));
+  } else if (name != "rendercoordsys") {
+    context_.findings.Add("option", "of pbrt's not used", name, place_);
+  }
 }
 
 // How pbrt finds hits does not change the picture.

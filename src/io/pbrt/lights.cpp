@@ -76,7 +76,8 @@ class LightReader {
     light_.position = scene::vec3(Point(parameters_.Vector("from", glm::dvec3(0.0))));
     if (type != "goniometric") return;
     parameters_.Ignore({"filename"});
-    context_.findings.Add("goniometric light", "shines evenly instead", "", parameters_.place());
+    context_.findings.Add("goniometric light", "replaced by a point light", "",
+                          parameters_.place());
   }
 
   void ReadSpot(const std::string& type) {
@@ -98,7 +99,7 @@ class LightReader {
     Aim(parameters_.Vector("from", glm::dvec3(0.0)), parameters_.Vector("to", {0, 0, 1}));
     if (!isPicture) return;
     parameters_.Ignore({"filename"});
-    context_.findings.Add("projection light", "shines as a spot without its picture", "",
+    context_.findings.Add("projection light", "replaced by a spot light without its picture", "",
                           parameters_.place());
   }
 
@@ -141,7 +142,7 @@ class LightReader {
     const bool isOctahedral = map.width == map.height;
     context_.findings.Add("environment map",
                           isOctahedral ? "approximated by its means above and below the horizon"
-                                       : "that is no square: taken as one of pbrt-v3, by its mean",
+                                       : "not square: taken as one of pbrt-v3, by its mean",
                           file, parameters_.place());
     glm::dvec3 sum[2] = {};
     double weight[2] = {};

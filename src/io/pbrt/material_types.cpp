@@ -213,7 +213,7 @@ void PbrtMaterialReader::ReadOlder(const std::string& type) {
     pbr_.baseColor = textures_.Color(parameters_, color, Spectrum(0.5f));
     pbr_.specularWeight.value = 0;
   }
-  context_.findings.Add(fmt::format("material of type {}", Quoted(type)),
+  context_.findings.Add(fmt::format("{} material", Quoted(type)),
                         "approximated: pbrt-v4's types are read in full", "", parameters_.place());
 }
 
@@ -237,7 +237,9 @@ float PbrtMaterialReader::Ior(std::string_view name, float absent) {
   const auto spectrum = SpectrumOf(parameters_, name, context_);
   const float ior = spectrum ? float(spectrum->At(587.6)) : absent;
   if (ior >= 0.1f && ior <= 10) return ior;
-  context_.findings.Add("index of refraction", "out of range, left out", name, parameters_.place());
+  context_.findings.Add("material",
+                        "with an index of refraction out of range: pbrt's default instead", name,
+                        parameters_.place());
   return absent;
 }
 

@@ -80,12 +80,12 @@ PbrtMaterial PbrtMaterials::Mix(const PbrtParameters& parameters) {
   const PbrtMaterial other = At(Named(names[1], parameters.place()));
   const ScalarInput amount = textures_.Scalar(parameters, "amount", 0.5f);
   if (amount.texture >= 0)
-    context_.findings.Add("mix of materials", "by a texture: taken as half and half", "",
+    context_.findings.Add("material mix", "by a texture: taken as half and half", "",
                           parameters.place());
   const float t = amount.texture >= 0 ? 0.5f : std::clamp(amount.value, 0.0f, 1.0f);
   if (t == 0) return one;
   if (t == 1) return other;
-  context_.findings.Add("mix of materials", "approximated by the mean of their parameters", "",
+  context_.findings.Add("material mix", "approximated by the mean of their parameters", "",
                         parameters.place());
   PbrtMaterial mean = t < 0.5f ? one : other;
   mean.record.physical = Between(*one.record.physical, *other.record.physical, t);

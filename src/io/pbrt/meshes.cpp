@@ -110,8 +110,7 @@ scene::Mesh PbrtBilinearMesh(const PbrtParameters& parameters, Findings& finding
                      w = glm::dvec3(mesh.positions[d]) - o;
     const double volume = std::abs(glm::dot(glm::cross(u, v), w));
     if (volume > 1e-4 * glm::length(u) * glm::length(v) * glm::length(w))
-      findings.Add("bilinear patch", "that is bent approximated by two triangles", "",
-                   parameters.place());
+      findings.Add("bent bilinear patch", "approximated by two triangles", "", parameters.place());
   }
   return mesh;
 }

@@ -222,16 +222,16 @@ void PbrtParameters::Leave(std::initializer_list<std::string_view> names, std::s
                            Findings& findings) const {
   for (const std::string_view name : names)
     if (const PbrtParameter* found = Peek(name))
-      findings.Add(fmt::format("parameter '{}' of {}", name, statement_), verdict, "",
-                   found->place);
+      findings.Add(fmt::format("'{}' parameter", name),
+                   fmt::format("of {} {}", statement_, verdict), "", found->place);
   Ignore(names);
 }
 
 void PbrtParameters::ReportUnused(Findings& findings) const {
   for (const Entry& entry : entries_)
     if (!entry.used && !entry.isDefault)
-      findings.Add(fmt::format("parameter {} of {}", Quoted(entry.parameter->name), statement_),
-                   "not used", "", entry.parameter->place);
+      findings.Add(fmt::format("{} parameter", Quoted(entry.parameter->name)),
+                   fmt::format("not used by {}", statement_), "", entry.parameter->place);
 }
 
 }  // namespace snell::io

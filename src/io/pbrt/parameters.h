@@ -77,7 +77,7 @@ class PbrtParameters {
 
   // Marks parameters as known though nothing is made of them.
   void Ignore(std::initializer_list<std::string_view> names) const;
-  // The same, with a finding for each that is there: "parameter 'x' of Shape 'y'", `verdict`.
+  // The same, with a finding for each that is there: "'x' parameter of Shape 'y'", `verdict`.
   void Leave(std::initializer_list<std::string_view> names, std::string_view verdict,
              Findings& findings) const;
   // A finding for each parameter that nobody has asked for.

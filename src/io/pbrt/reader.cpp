@@ -95,11 +95,16 @@ void PbrtReader::ReadFileOf(const std::string& name, const Place& place) {
   if (name.ends_with(".gz"))
     throw Error(fmt::format("the compressed file {} is not read", Quoted(name)), place,
                 "unpack it with gunzip, and change the name");
-  const auto path = context_.files.Find(context_.folder, name);
-  if (!path)
-    throw Error(fmt::format("the file {} is not found in the scene's folder", Quoted(name)), place);
+  // Exactly the file that is named: a likely one would be a guess at the scene
+  std::filesystem::path path;
   std::error_code ignored;
-  const std::string real = std::filesystem::weakly_canonical(*path, ignored).string();
+  try {
+    path = ConfinedPath(context_.files.root(), context_.files.root(), name);
+  } catch (const Error&) {
+  }
+  if (path.empty() || !std::filesystem::is_regular_file(path, ignored))
+    throw Error(fmt::format("the file {} is not found in the scene's folder", Quoted(name)), place);
+  const std::string real = std::filesystem::weakly_canonical(path, ignored).string();
   if (std::ranges::find(openFiles_, real) != openFiles_.end())
     throw Error(fmt::format("the file {} includes itself", Quoted(name)), place);
   if (openFiles_.size() >= MaxOpenFiles)
@@ -107,10 +112,10 @@ void PbrtReader::ReadFileOf(const std::string& name, const Place& place) {
                 place);
   if (++filesRead_ > MaxFiles)
     throw Error(fmt::format("more than {} are included", Plural(MaxFiles, "file")), place);
-  const std::string text = ReadFile(*path, std::min(MaxFileBytes, MaxBytes - bytesRead_));
+  const std::string text = ReadFile(path, std::min(MaxFileBytes, MaxBytes - bytesRead_));
   bytesRead_ += text.size();
   openFiles_.push_back(real);
-  ReadText(text, path->string());
+  ReadText(text, path.string());
   openFiles_.pop_back();
 }
 

@@ -40,7 +40,7 @@ std::optional<PbrtShape> PbrtShapes::Make(const std::string& type, const PbrtPar
     if (const auto whole = AnalyticQuadric(quadric, isTurned); whole && !asMesh) return whole;
     return AddMesh(QuadricMesh(quadric), type, isTurned);
   }
-  findings.Add(fmt::format("shape of type {}", Quoted(type)), "left out", "", parameters.place());
+  findings.Add(fmt::format("{} shape", Quoted(type)), "left out", "", parameters.place());
   for (const auto& parameter : parameters.All()) parameters.Ignore({parameter->name});
   return {};
 }

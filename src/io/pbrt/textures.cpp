@@ -104,8 +104,8 @@ PbrtTexture PbrtTextures::Make(const std::string& kind, const PbrtParameters& pa
   if (kind == "directionmix") mean = inputs("tex1", "tex2");
   if (kind == "bilerp") mean = (inputs("v00", "v01") + inputs("v10", "v11")) * 0.5f;
   if (kind == "marble") mean = Spectrum(0.55f, 0.50f, 0.47f);
-  context_.findings.Add(fmt::format("texture of kind {}", Quoted(kind)),
-                        "approximated by a constant", "", parameters.place());
+  context_.findings.Add(fmt::format("{} texture", Quoted(kind)), "approximated by a constant", "",
+                        parameters.place());
   for (const auto& parameter : parameters.All()) parameters.Ignore({parameter->name});
   return {{mean}, ""};
 }
@@ -114,8 +114,9 @@ PbrtTexture PbrtTextures::Make(const std::string& kind, const PbrtParameters& pa
 scene::Affine PbrtTextures::UvPlacement(const PbrtParameters& parameters) const {
   const std::string mapping = parameters.String("mapping", "uv");
   if (mapping != "uv")
-    context_.findings.Add(fmt::format("texture with the mapping {}", Quoted(mapping)),
-                          "laid out by uv instead", "", parameters.place());
+    context_.findings.Add(
+        "texture", fmt::format("with the mapping {} laid out by uv instead", Quoted(mapping)), "",
+        parameters.place());
   parameters.Ignore({"v1", "v2"});
   scene::Affine map(1.0);
   map[0][0] = double(parameters.Number("uscale", 1));
@@ -158,7 +159,7 @@ PbrtTexture PbrtTextures::Picture(const PbrtParameters& parameters, bool isFloat
   if (wrap != "repeat" && wrap != "clamp" && wrap != "black" && wrap != "octahedralsphere")
     throw Error(fmt::format("there is no wrap mode {}", Quoted(wrap)), parameters.place());
   if (wrap == "black" || wrap == "octahedralsphere")
-    context_.findings.Add(fmt::format("picture with the wrap mode '{}'", wrap), "clamped instead",
+    context_.findings.Add("picture", fmt::format("with the wrap mode '{}' clamped instead", wrap),
                           "", parameters.place());
   texture.wrapU = texture.wrapV = wrap == "repeat" ? scene::Wrap::Repeat : scene::Wrap::Clamp;
   if (filter == "point") texture.filter = scene::TextureFilter::Nearest;

@@ -50,7 +50,7 @@ void PbrtView::ReadCamera(const std::string& type, const PbrtParameters& paramet
   parameters.Ignore({"focaldistance"});
   if (type == "realistic" || type == "spherical") {
     parameters.Ignore({"lensfile", "aperturediameter", "aperture", "mapping"});
-    findings.Add(fmt::format("{} camera", type), "approximated by a perspective one", "",
+    findings.Add(fmt::format("{} camera", Quoted(type)), "approximated by a perspective one", "",
                  camera.place);
   } else if (type != "perspective" && type != "orthographic") {
     throw Error(fmt::format("there is no camera of type {}", Quoted(type)), camera.place);
@@ -71,7 +71,7 @@ void PbrtView::ReadFilm(const PbrtParameters& parameters) {
   parameters.Leave({"cropwindow", "pixelbounds"}, "not used: the picture is rendered whole",
                    context_.findings);
   if (parameters.String("sensor", "cie1931") != "cie1931")
-    context_.findings.Add("sensor of a camera", "replaced by the standard observer", "",
+    context_.findings.Add("camera sensor", "replaced by the standard observer", "",
                           parameters.place());
   parameters.Leave({"whitebalance"}, "not used", context_.findings);
 }
@@ -102,7 +102,7 @@ void PbrtView::ReadFilter(const std::string& type, const PbrtParameters& paramet
   } else if (type == "gaussian") {
     settings.filter = scene::PixelFilter::Gaussian;
   } else {
-    context_.findings.Add(fmt::format("pixel filter {}", Quoted(type)),
+    context_.findings.Add(fmt::format("{} filter", Quoted(type)),
                           "replaced by Blackman and Harris'", "", parameters.place());
     parameters.Ignore({"xradius", "yradius", "B", "C", "tau"});
     return;
@@ -123,14 +123,8 @@ void PbrtView::ReadIntegrator(const std::string& type, const PbrtParameters& par
                      "chains", "mutationsperpixel", "largestepprobability", "sigma"});
   // Any of them that shows the scene's light is what Snell's are
   if (type == "ambientocclusion" || type == "randomwalk" || type == "function")
-    context_.findings.Add(fmt::format("integrator '{}'", type), "replaced by Snell's", "",
+    context_.findings.Add(fmt::format("{} integrator", Quoted(type)), "replaced by Snell's", "",
                           parameters.place());
-}
-
-void PbrtView::ReadOption(const PbrtParameters& parameters) {
-  if (parameters.Has("seed"))
-    context_.scene.settings.seed = std::uint32_t(parameters.Integer("seed", 0));
-  parameters.Ignore({"rendercoordsys"});
 }
 
 scene::Affine PbrtView::FromPbrt() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands before WorldBegin: camera, film, sampler, filter, integrator and options. pbrt is left-handed: by
+// What stands before WorldBegin: camera, film, sampler, filter and integrator. pbrt is left-handed: by
 // cross products alone, right is up × forward. Where the camera's transform does not mirror, the world is
 // mirrored at z = 0, so that right-handed cross products give the same picture.
 #pragma once
@@ -24,7 +24,6 @@ class PbrtView {
   void ReadSampler(const std::string& type, const PbrtParameters& parameters);
   void ReadFilter(const std::string& type, const PbrtParameters& parameters);
   void ReadIntegrator(const std::string& type, const PbrtParameters& parameters);
-  void ReadOption(const PbrtParameters& parameters);
 
   // From pbrt's world to ours.
   scene::Affine FromPbrt() const;

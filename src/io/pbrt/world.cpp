@@ -130,8 +130,7 @@ void PbrtReader::Shape() {
   if (openObject_ && state_.areaLight)
     context_.findings.Add("area light", "in an object for instances left out", "", place_);
   if (isHidden && !light) {
-    context_.findings.Add("shape", "that is not seen, such as a medium's border, left out", "",
-                          place_);
+    context_.findings.Add("unseen shape", "left out, such as a medium's border", "", place_);
     return;
   }
 
@@ -150,7 +149,7 @@ void PbrtReader::Shape() {
     surface.emission = RadianceOf(*light, emitter, context_.scene);
     const bool lights = AddEmitter(*light, emitter, context_.scene);
     if (!lights)
-      context_.findings.Add("shape", "that glows but does not light others", type, place_);
+      context_.findings.Add("glowing shape", "shown without lighting others", type, place_);
     // The light itself is seen
     if (isHidden || (lights && !light->isTwoSided)) return;
   }
