@@ -5,12 +5,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "image/chromaticity.h"
 #include "io/find_file.h"
 #include "io/findings.h"
 #include "io/images.h"
+#include "io/pbrt/spectra.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
@@ -32,7 +34,9 @@ struct PbrtContext {
   Findings findings;
   scene::Scene scene;
 
-  image::Chromaticities colorSpace;  // of the rgb values that follow
+  image::Chromaticities colorSpace;                // of the rgb values that follow
+  std::map<std::string, PbrtTable> spectrumFiles;  // that have been read, by name
+  int environmentMaps = 0;                         // that have been read
 };
 
 }  // namespace snell::io

@@ -10,13 +10,13 @@
 
 #include "image/read.h"
 #include "io/mesh/text.h"
-#include "util/text.h"
 
 namespace snell::io {
 namespace {
 
 using scene::Spectrum;
 constexpr double Pi = std::numbers::pi;
+constexpr int MaxEnvironmentMaps = 16;
 
 // The light's colour times its scale; `name` is L or I.
 Spectrum Emitted(const PbrtParameters& parameters, std::string_view name, PbrtContext& context) {
@@ -131,6 +131,8 @@ class LightReader {
                             parameters_.place());
       return false;
     }
+    if (++context_.environmentMaps > MaxEnvironmentMaps)
+      throw Error("the scene has too many environment maps", parameters_.place());
     image::Image map;
     try {
       map = image::ReadImage(*path);

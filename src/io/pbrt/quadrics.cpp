@@ -13,8 +13,8 @@ namespace snell::io {
 using Kind = PbrtQuadric::Kind;
 
 static constexpr double Pi = std::numbers::pi;
-static constexpr int Around = 96;  // steps of a whole turn
-static constexpr int Along = 48;   // from pole to pole
+static constexpr int Around = 64;  // steps of a whole turn
+static constexpr int Along = 32;   // from pole to pole
 
 // Our quadrics stand on the y axis, with the seam of the texture at −z; pbrt's on the z axis, with it at +x.
 static const scene::Affine& FromOurs() {

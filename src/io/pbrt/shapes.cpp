@@ -11,6 +11,8 @@
 
 namespace snell::io {
 
+static constexpr std::size_t MaxQuadricMeshes = 20'000;
+
 std::optional<PbrtShape> PbrtShapes::Make(const std::string& type, const PbrtParameters& parameters,
                                           bool isTurned, bool isTextured) {
   Findings& findings = context_.findings;
@@ -38,7 +40,7 @@ std::optional<PbrtShape> PbrtShapes::Make(const std::string& type, const PbrtPar
     // An analytic disk has its texture coordinates laid out another way
     const bool asMesh = kind == Kind::Disk && isTextured;
     if (const auto whole = AnalyticQuadric(quadric, isTurned); whole && !asMesh) return whole;
-    return AddMesh(QuadricMesh(quadric), type, isTurned);
+    return Tessellated(quadric, type, isTurned, parameters.place());
   }
   findings.Add(fmt::format("{} shape", Quoted(type)), "left out", "", parameters.place());
   for (const auto& parameter : parameters.All()) parameters.Ignore({parameter->name});
@@ -51,6 +53,21 @@ PbrtShape PbrtShapes::AddMesh(scene::Mesh mesh, const std::string& name, bool is
   const scene::MeshIndex index = scene::MeshIndex(context_.scene.meshes.size());
   context_.scene.meshes.push_back(std::move(mesh));
   return {scene::MeshGeometry{index}};
+}
+
+// Equal ones are one mesh: a few words could otherwise ask for many vertices.
+PbrtShape PbrtShapes::Tessellated(const PbrtQuadric& quadric, const std::string& name,
+                                  bool isTurned, const Place& place) {
+  const auto [entry, isNew] = quadrics_.try_emplace({quadric, isTurned}, -1);
+  if (isNew) {
+    if (quadrics_.size() > MaxQuadricMeshes)
+      throw Error(
+          fmt::format("there are more than {} different parts of quadrics", MaxQuadricMeshes),
+          place);
+    const PbrtShape made = AddMesh(QuadricMesh(quadric), name, isTurned);
+    entry->second = std::get<scene::MeshGeometry>(made.geometry).mesh;
+  }
+  return {scene::MeshGeometry{entry->second}};
 }
 
 // A file is read once, however many shapes show it.

@@ -46,8 +46,14 @@ static std::optional<PbrtSpectrum> FindSpectrum(const std::string& name, const P
     spectrum.isLight = true;
     return spectrum;
   }
+  const auto known = context.spectrumFiles.find(name);
+  if (known != context.spectrumFiles.end()) {
+    spectrum.table = known->second;
+    return spectrum;
+  }
   if (const auto path = context.files.Find(context.folder, name)) {
     spectrum.table = ParseTable(ReadFile(*path, MaxSpectrumBytes), path->string());
+    context.spectrumFiles.emplace(name, *spectrum.table);
     return spectrum;
   }
   context.findings.Add("spectrum", "neither known by name nor found as a file: left out", name,
