@@ -136,9 +136,14 @@ void PbrtReader::Shape() {
 
   // Which side is out matters for light and glass only
   const bool isTurned = state_.isReversed && (light || material.record.Refractive());
-  const auto shape = shapes_.Make(type, parameters, isTurned, IsTextured(material.record, surface));
+  const bool isTextured = IsTextured(material.record, surface);
+  const auto shape = shapes_.Make(type, parameters, isTurned, isTextured);
   parameters.ReportUnused(context_.findings);
   if (!shape) return;
+  const auto* mesh = std::get_if<scene::MeshGeometry>(&shape->geometry);
+  if (mesh && isTextured && context_.scene.meshes[std::size_t(mesh->mesh)].uvs.empty())
+    context_.findings.Add("textured mesh", "without texture coordinates: laid out on each triangle",
+                          type, place_);
   scene::Object object;
   object.name = type;
   object.geometry = shape->geometry;
