@@ -4,15 +4,17 @@
 // statement's reader does not ask for is reported.
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <initializer_list>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/findings.h"
 #include "io/pbrt/words.h"
-#include "scene/scene.h"
+#include "util/error.h"
 
 namespace snell::io {
 

@@ -4,7 +4,9 @@
 // the parts that make the scene.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

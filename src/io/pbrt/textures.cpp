@@ -48,12 +48,12 @@ void PbrtTextures::Define(const std::string& name, const std::string& type, cons
   if (!isFloat && type != "spectrum" && type != "color")
     throw Error(fmt::format("a texture is of type float or spectrum, not {}", Quoted(type)),
                 parameters.place());
-  PbrtTexture made = Make(kind, parameters, isFloat, toWorld);
-  made.color.value = glm::max(made.color.value, Spectrum(0.0f));
+  ColorInput made = Make(kind, parameters, isFloat, toWorld);
+  made.value = glm::max(made.value, Spectrum(0.0f));
   textures_[{name, isFloat}] = std::move(made);
 }
 
-const PbrtTexture& PbrtTextures::Named(const PbrtParameter& parameter, bool isFloat) const {
+const ColorInput& PbrtTextures::Named(const PbrtParameter& parameter, bool isFloat) const {
   if (parameter.strings.size() != 1) throw Error("one texture is needed", parameter.place);
   const auto entry = textures_.find({parameter.strings[0], isFloat});
   if (entry != textures_.end()) return entry->second;
@@ -62,31 +62,31 @@ const PbrtTexture& PbrtTextures::Named(const PbrtParameter& parameter, bool isFl
               parameter.place);
 }
 
-PbrtTexture PbrtTextures::Input(const PbrtParameters& parameters, std::string_view name,
-                                bool isFloat, const Spectrum& absent) const {
+ColorInput PbrtTextures::Input(const PbrtParameters& parameters, std::string_view name,
+                               bool isFloat, const Spectrum& absent) const {
   const PbrtParameter* given = parameters.Peek(name);
   if (given && given->type == PbrtType::Texture)
     return Named(*parameters.Find(name, {PbrtType::Texture}), isFloat);
-  if (isFloat) return {{Spectrum(parameters.Number(name, absent.x))}, ""};
+  if (isFloat) return {Spectrum(parameters.Number(name, absent.x))};
   const auto spectrum = SpectrumOf(parameters, name, context_);
-  return {{spectrum ? spectrum->Factor() : absent}, ""};
+  return {spectrum ? spectrum->Factor() : absent};
 }
 
 ColorInput PbrtTextures::Color(const PbrtParameters& parameters, std::string_view name,
                                const Spectrum& absent) const {
-  ColorInput color = Input(parameters, name, false, absent).color;
+  ColorInput color = Input(parameters, name, false, absent);
   color.value = Albedo(color.value);
   return color;
 }
 
 scene::ScalarInput PbrtTextures::Scalar(const PbrtParameters& parameters, std::string_view name,
                                         float absent) const {
-  const ColorInput color = Input(parameters, name, true, Spectrum(absent)).color;
+  const ColorInput color = Input(parameters, name, true, Spectrum(absent));
   return {std::max(color.value.x, 0.0f), color.texture, 0};
 }
 
-PbrtTexture PbrtTextures::Make(const std::string& kind, const PbrtParameters& parameters,
-                               bool isFloat, const scene::Affine& toWorld) {
+ColorInput PbrtTextures::Make(const std::string& kind, const PbrtParameters& parameters,
+                              bool isFloat, const scene::Affine& toWorld) {
   if (kind == "constant") return Input(parameters, "value", isFloat, Spectrum(1.0f));
   if (kind == "imagemap") return Picture(parameters, isFloat);
   if (kind == "checkerboard") return Checkerboard(parameters, isFloat, toWorld);
@@ -107,7 +107,7 @@ PbrtTexture PbrtTextures::Make(const std::string& kind, const PbrtParameters& pa
   context_.findings.Add(fmt::format("{} texture", Quoted(kind)), "approximated by a constant", "",
                         parameters.place());
   for (const auto& parameter : parameters.All()) parameters.Ignore({parameter->name});
-  return {{mean}, ""};
+  return {mean};
 }
 
 // From pattern space to texture coordinates: the other way than pbrt's scale and shift.
@@ -128,7 +128,7 @@ scene::Affine PbrtTextures::UvPlacement(const PbrtParameters& parameters) const 
   return scene::Affine(1.0);
 }
 
-PbrtTexture PbrtTextures::Picture(const PbrtParameters& parameters, bool isFloat) {
+ColorInput PbrtTextures::Picture(const PbrtParameters& parameters, bool isFloat) {
   const std::string file = parameters.String("filename", "");
   if (file.empty()) throw Error("an imagemap needs a filename", parameters.place());
   const std::string encoding = parameters.String("encoding", "sRGB");
@@ -141,20 +141,19 @@ PbrtTexture PbrtTextures::Picture(const PbrtParameters& parameters, bool isFloat
   const bool invert = parameters.Bool("invert", false);
   parameters.Ignore({"maxanisotropy"});
 
-  PbrtTexture made;
-  made.file = file;
-  made.color.value = Spectrum(std::max(scale, 0.0f));
+  ColorInput made;
+  made.value = Spectrum(std::max(scale, 0.0f));
   scene::Texture texture;
   texture.name = file;
   texture.kind = scene::TextureKind::Image;
   texture.placement = UvPlacement(parameters);
   const ImageUse use = encoding == "linear" ? ImageUse::Data : ImageUse::Color;
   texture.image = context_.images.Load(context_.scene, file, use, parameters.place());
-  if (texture.image < 0) return {{Spectrum(isFloat ? scale : 0.5f * scale)}, ""};
+  if (texture.image < 0) return {Spectrum(isFloat ? scale : 0.5f * scale)};
   if (invert) {
     const Spectrum mean = MeanOf(texture.image);
     context_.findings.Add("inverted picture", "approximated by its mean", file, parameters.place());
-    return {{glm::clamp(Spectrum(1.0f) - mean * scale, 0.0f, 1.0f)}, ""};
+    return {glm::clamp(Spectrum(1.0f) - mean * scale, 0.0f, 1.0f)};
   }
   if (wrap != "repeat" && wrap != "clamp" && wrap != "black" && wrap != "octahedralsphere")
     throw Error(fmt::format("there is no wrap mode {}", Quoted(wrap)), parameters.place());
@@ -164,13 +163,13 @@ PbrtTexture PbrtTextures::Picture(const PbrtParameters& parameters, bool isFloat
   texture.wrapU = texture.wrapV = wrap == "repeat" ? scene::Wrap::Repeat : scene::Wrap::Clamp;
   if (filter == "point") texture.filter = scene::TextureFilter::Nearest;
   if (filter == "bilinear") texture.filter = scene::TextureFilter::Linear;
-  made.color.texture = scene::TextureIndex(context_.scene.textures.size());
+  made.texture = scene::TextureIndex(context_.scene.textures.size());
   context_.scene.textures.push_back(std::move(texture));
   return made;
 }
 
-PbrtTexture PbrtTextures::Checkerboard(const PbrtParameters& parameters, bool isFloat,
-                                       const scene::Affine& toWorld) {
+ColorInput PbrtTextures::Checkerboard(const PbrtParameters& parameters, bool isFloat,
+                                      const scene::Affine& toWorld) {
   const int dimension = parameters.Integer("dimension", 2);
   if (dimension != 2 && dimension != 3)
     throw Error("a checkerboard has 2 or 3 dimensions", parameters.place());
@@ -187,36 +186,36 @@ PbrtTexture PbrtTextures::Checkerboard(const PbrtParameters& parameters, bool is
     texture.space = scene::TextureSpace::World;
     if (IsInvertible(toWorld)) texture.placement = toWorld;
   }
-  PbrtTexture made{{Spectrum(1.0f)}, ""};
-  made.color.texture = scene::TextureIndex(context_.scene.textures.size());
+  ColorInput made{Spectrum(1.0f)};
+  made.texture = scene::TextureIndex(context_.scene.textures.size());
   context_.scene.textures.push_back(std::move(texture));
   return made;
 }
 
-PbrtTexture PbrtTextures::Mix(const PbrtParameters& parameters, bool isFloat) const {
-  const PbrtTexture one = Input(parameters, "tex1", isFloat, Spectrum(0.0f));
-  const PbrtTexture other = Input(parameters, "tex2", isFloat, Spectrum(1.0f));
-  const PbrtTexture by = Input(parameters, "amount", true, Spectrum(0.5f));
+ColorInput PbrtTextures::Mix(const PbrtParameters& parameters, bool isFloat) const {
+  const ColorInput one = Input(parameters, "tex1", isFloat, Spectrum(0.0f));
+  const ColorInput other = Input(parameters, "tex2", isFloat, Spectrum(1.0f));
+  const ColorInput by = Input(parameters, "amount", true, Spectrum(0.5f));
   const float amount = std::clamp(MeanOf(by, parameters).x, 0.0f, 1.0f);
   if (amount == 0) return one;
   if (amount == 1) return other;
-  return {{glm::mix(MeanOf(one, parameters), MeanOf(other, parameters), amount)}, ""};
+  return {glm::mix(MeanOf(one, parameters), MeanOf(other, parameters), amount)};
 }
 
-PbrtTexture PbrtTextures::Scale(const PbrtParameters& parameters, bool isFloat) const {
-  PbrtTexture texture = Input(parameters, "tex", isFloat, Spectrum(1.0f));
-  PbrtTexture scale = Input(parameters, "scale", true, Spectrum(1.0f));
-  if (texture.color.texture < 0) std::swap(texture, scale);
-  texture.color.value *= MeanOf(scale, parameters);
+ColorInput PbrtTextures::Scale(const PbrtParameters& parameters, bool isFloat) const {
+  ColorInput texture = Input(parameters, "tex", isFloat, Spectrum(1.0f));
+  ColorInput scale = Input(parameters, "scale", true, Spectrum(1.0f));
+  if (texture.texture < 0) std::swap(texture, scale);
+  texture.value *= MeanOf(scale, parameters);
   return texture;
 }
 
-Spectrum PbrtTextures::MeanOf(const PbrtTexture& texture, const PbrtParameters& parameters) const {
-  if (texture.color.texture < 0) return texture.color.value;
+Spectrum PbrtTextures::MeanOf(const ColorInput& texture, const PbrtParameters& parameters) const {
+  if (texture.texture < 0) return texture.value;
   context_.findings.Add("texture", "within a texture approximated by its mean", "",
                         parameters.place());
-  const scene::Texture& made = context_.scene.textures[std::size_t(texture.color.texture)];
-  return texture.color.value *
+  const scene::Texture& made = context_.scene.textures[std::size_t(texture.texture)];
+  return texture.value *
          (made.image >= 0 ? MeanOf(made.image) : (made.colorA + made.colorB) * 0.5f);
 }
 

@@ -12,12 +12,6 @@
 
 namespace snell::io {
 
-// A texture times a factor, or the factor alone.
-struct PbrtTexture {
-  scene::ColorInput color;
-  std::string file;  // of a picture that is shown as it is
-};
-
 class PbrtTextures {
  public:
   explicit PbrtTextures(PbrtContext& context) : context_(context) {}
@@ -34,24 +28,24 @@ class PbrtTextures {
                             float absent) const;
 
  private:
-  const PbrtTexture& Named(const PbrtParameter& parameter, bool isFloat) const;
+  const scene::ColorInput& Named(const PbrtParameter& parameter, bool isFloat) const;
   // A texture's own input: a number, a colour or another texture.
-  PbrtTexture Input(const PbrtParameters& parameters, std::string_view name, bool isFloat,
-                    const scene::Spectrum& absent) const;
-  PbrtTexture Make(const std::string& kind, const PbrtParameters& parameters, bool isFloat,
-                   const scene::Affine& toWorld);
-  PbrtTexture Picture(const PbrtParameters& parameters, bool isFloat);
-  PbrtTexture Checkerboard(const PbrtParameters& parameters, bool isFloat,
-                           const scene::Affine& toWorld);
-  PbrtTexture Mix(const PbrtParameters& parameters, bool isFloat) const;
-  PbrtTexture Scale(const PbrtParameters& parameters, bool isFloat) const;
+  scene::ColorInput Input(const PbrtParameters& parameters, std::string_view name, bool isFloat,
+                          const scene::Spectrum& absent) const;
+  scene::ColorInput Make(const std::string& kind, const PbrtParameters& parameters, bool isFloat,
+                         const scene::Affine& toWorld);
+  scene::ColorInput Picture(const PbrtParameters& parameters, bool isFloat);
+  scene::ColorInput Checkerboard(const PbrtParameters& parameters, bool isFloat,
+                                 const scene::Affine& toWorld);
+  scene::ColorInput Mix(const PbrtParameters& parameters, bool isFloat) const;
+  scene::ColorInput Scale(const PbrtParameters& parameters, bool isFloat) const;
   // The constant that stands for a texture; reported if it is none.
-  scene::Spectrum MeanOf(const PbrtTexture& texture, const PbrtParameters& parameters) const;
+  scene::Spectrum MeanOf(const scene::ColorInput& texture, const PbrtParameters& parameters) const;
   scene::Spectrum MeanOf(scene::ImageIndex image) const;
   scene::Affine UvPlacement(const PbrtParameters& parameters) const;
 
   PbrtContext& context_;
-  std::map<std::pair<std::string, bool>, PbrtTexture> textures_;  // bool: of numbers
+  std::map<std::pair<std::string, bool>, scene::ColorInput> textures_;  // bool: of numbers
   mutable std::map<scene::ImageIndex, scene::Spectrum> means_;
 };
 

@@ -38,12 +38,10 @@ static std::optional<PbrtSpectrum> FindSpectrum(const std::string& name, const P
   PbrtSpectrum spectrum;
   if (const PbrtTable* table = NamedTable(name)) {
     spectrum.table = *table;
-    spectrum.name = name;
     return spectrum;
   }
   if (const auto light = NamedLight(name)) {
     spectrum.rgb = *light;
-    spectrum.isLight = true;
     return spectrum;
   }
   const auto known = context.spectrumFiles.find(name);
@@ -85,7 +83,6 @@ std::optional<PbrtSpectrum> SpectrumOf(const PbrtParameters& parameters, std::st
       require(numbers.size() == 1 || numbers.size() == 2);
       spectrum.rgb = LightColor([&](double nm) { return BlackbodyRadiance(nm, numbers[0]); });
       if (numbers.size() == 2) spectrum.rgb *= float(std::max(numbers[1], 0.0));
-      spectrum.isLight = true;
       break;
     case PbrtType::Spectrum:
       if (!found->strings.empty()) {

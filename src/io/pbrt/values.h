@@ -17,8 +17,6 @@ namespace snell::io {
 struct PbrtSpectrum {
   std::optional<PbrtTable> table;  // else `rgb`
   scene::Spectrum rgb{0.0f};
-  bool isLight = false;  // a colour of light with the luminance 1
-  std::string name;      // of a table that pbrt knows
 
   // An RGB colour is taken as constant over a third of the wavelengths each.
   double At(double nanometres) const;

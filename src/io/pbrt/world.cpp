@@ -154,9 +154,14 @@ void PbrtReader::Shape() {
     surface.emission = RadianceOf(*light, emitter, context_.scene);
     const bool lights = AddEmitter(*light, emitter, context_.scene);
     if (!lights)
-      context_.findings.Add("glowing shape", "shown without lighting others", type, place_);
+      context_.findings.Add(
+          "glowing shape", isHidden ? "that is not seen left out" : "shown without lighting others",
+          type, place_);
     // The light itself is seen
-    if (isHidden || (lights && !light->isTwoSided)) return;
+    if (isHidden || (lights && !light->isTwoSided)) {
+      if (type == "trianglemesh" || type == "bilinearmesh") context_.scene.meshes.pop_back();
+      return;
+    }
   }
   object.material = materials_.Use(surface);
   if (!openObject_) return AddObject(std::move(object));
