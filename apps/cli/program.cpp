@@ -44,7 +44,8 @@ Program::Program()
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(0, 1);
   app.footer(
-      "Snell opens native scenes (.toml), glTF and NFF files and bare meshes, and writes PNG, "
+      "Snell opens native scenes (.toml), glTF, pbrt and NFF files and bare meshes, and writes "
+      "PNG, "
       "JPEG, HDR and "
       "EXR. The same scene with the same options gives the same picture, bit for bit, on any "
       "number of threads.\n\n"

@@ -10,10 +10,11 @@ Format FormatOf(const std::filesystem::path& path) {
   if (extension == "toml") return Format::Toml;
   if (extension == "gltf" || extension == "glb") return Format::Gltf;
   if (extension == "nff") return Format::Nff;
+  if (extension == "pbrt") return Format::Pbrt;
   if (extension == "obj" || extension == "ply" || extension == "stl") return Format::Mesh;
   return Format::Unknown;
 }
 
-std::string KnownFormats() { return "toml, gltf, glb, nff, obj, ply, stl"; }
+std::string KnownFormats() { return "toml, gltf, glb, nff, pbrt, obj, ply, stl"; }
 
 }  // namespace snell::io

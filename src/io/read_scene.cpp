@@ -10,6 +10,7 @@
 #include "io/mesh/read_mesh.h"
 #include "io/nff/nff.h"
 #include "io/obj/scene.h"
+#include "io/pbrt/pbrt.h"
 #include "io/toml/scene.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
@@ -77,6 +78,8 @@ static scene::Scene ReadGltfScene(const std::filesystem::path& path, const ReadO
 [[noreturn]] static void Refuse(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) ReadFile(path);
+  if (path.string().ends_with(".pbrt.gz"))
+    throw Error("compressed scenes are not read", {path.string()}, "unpack it with gunzip");
   throw Error("the file's kind is not known by its extension", {path.string()},
               fmt::format("Snell opens {}", KnownFormats()));
 }
@@ -91,6 +94,7 @@ scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& opt
     case Format::Toml: scene = ReadToml(path, warn); break;
     case Format::Gltf: scene = ReadGltfScene(path, options, warn); break;
     case Format::Nff: scene = ReadNff(path, warn); break;
+    case Format::Pbrt: scene = ReadPbrt(path, warn); break;
     case Format::Mesh: scene = ReadBareMesh(path, options, warn); break;
     case Format::Unknown: Refuse(path);
   }
