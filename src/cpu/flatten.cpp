@@ -102,6 +102,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
+  flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
   FlattenObjects(scene, finer, settings.tintedShadows, flat);
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "tessellate/cage.h"
 #include "tessellate/test_meshes.h"
 
@@ -133,6 +136,34 @@ TEST(Subdivide, OddMeshesDoNoHarm) {
   nothing.positions = {{0, 0, 0}};
   nothing.triangles = {{0, 0, 0}};
   EXPECT_FALSE(Subdivide(nothing, CatmullClark, 2));
+}
+
+TEST(Subdivide, AnyFacesDoNoHarm) {
+  // Edges of many faces, faces over each other, vertices of many fans, polygons that are none
+  std::minstd_rand random(1);
+  const auto below = [&](unsigned n) { return unsigned(random()) / 16 % n; };
+  for (int round = 0; round < 400; ++round) {
+    Mesh mesh;
+    const unsigned vertices = 3 + below(8);
+    for (unsigned i = 0; i < vertices; ++i) {
+      mesh.positions.emplace_back(float(below(4)), float(below(4)), float(below(4)));
+      mesh.uvs.emplace_back(float(below(2)), float(below(2)));
+    }
+    for (unsigned i = 1 + below(12); i > 0; --i) {
+      mesh.triangles.emplace_back(below(vertices), below(vertices), below(vertices));
+      mesh.joins.push_back(below(2) == 0 && mesh.triangles.size() > 1);
+    }
+    for (unsigned i = below(4); i > 0; --i)
+      mesh.creases.push_back(
+          {mesh.positions[below(vertices)], mesh.positions[below(vertices)], float(below(11))});
+    for (const Subdivision& scheme : {CatmullClark, Loop}) {
+      Mesh finer = mesh;
+      if (!Subdivide(finer, scheme, int(below(3)))) continue;
+      for (const uvec3& t : finer.triangles)
+        ASSERT_LT(std::max({t.x, t.y, t.z}), finer.positions.size()) << round;
+      EXPECT_EQ(finer.uvs.size(), finer.positions.size());
+    }
+  }
 }
 
 }  // namespace

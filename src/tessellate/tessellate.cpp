@@ -134,6 +134,7 @@ class Tessellator {
     if (task.IsDisplaced()) DisplaceMesh(task, mesh, isCoarser);
     if (task.tangentsOf >= 0 && mesh.tangents.empty()) MakeTangents(mesh, task.tangentsOf);
     if (isCoarser) ++coarser_;
+    if (task.IsSubdivided() || task.IsDisplaced()) result_.triangles += mesh.triangles.size();
     trianglesLeft_ -= std::min<std::uint64_t>(trianglesLeft_, mesh.triangles.size());
     for (const std::size_t object : task.objects)
       result_.meshOf[object] = scene::MeshIndex(scene_.meshes.size() + result_.meshes.size());

@@ -5,6 +5,7 @@
 // itself stays as it is; objects are pointed to meshes made for them, which instances still share.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct FinerMeshes {
   std::vector<scene::Mesh> meshes;
   // Of each object: an index into the scene's meshes and these behind them; -1 if it is no mesh.
   std::vector<scene::MeshIndex> meshOf;
+  std::uint64_t triangles = 0;  // of meshes that were subdivided or displaced
   std::vector<std::string> warnings;
 
   const scene::Mesh& MeshOf(const scene::Scene& scene, std::size_t object) const {
