@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <new>
 #include <optional>
 #include <tuple>
 
@@ -60,10 +61,9 @@ class Tessellator {
   FinerMeshes Tessellate() {
     CollectTasks();
     for (Task& task : tasks_) Perform(task);
-    Warn(coarser_, "mesh", "is coarser than asked for: the scene would get too many triangles");
-    Warn(unsubdivided_, "mesh", "cannot be subdivided and is left as it is");
-    Warn(shapes_, "shape",
-         "has a material with displacement, which moves meshes alone: its surface stays smooth");
+    Warn(coarser_, "mesh", "coarser than asked for, lest the scene get too many triangles");
+    Warn(unsubdivided_, "mesh", "left as it is: its faces cannot be subdivided");
+    Warn(shapes_, "shape", "with a displaced material left smooth: only meshes are displaced");
     return std::move(result_);
   }
 
@@ -212,7 +212,12 @@ FinerMeshes Tessellate(const scene::Scene& scene, const scene::RenderSettings& s
                        const scene::Camera& camera, const TextureLookup& lookup,
                        std::uint64_t mostTriangles) {
   const View view(camera, settings.height);
-  return Tessellator(scene, view, lookup, mostTriangles).Tessellate();
+  try {
+    return Tessellator(scene, view, lookup, mostTriangles).Tessellate();
+  } catch (const std::bad_alloc&) {
+    throw Error("not enough memory for the finer meshes", {scene.name},
+                "ask for fewer levels or for longer edges");
+  }
 }
 
 }  // namespace snell::tessellate

@@ -89,8 +89,8 @@ TEST(Tessellate, SaysWhatItCannotDo) {
   EXPECT_EQ(finer.meshes[0].triangles.size(), 12288u);
   EXPECT_LE(finer.meshes[1].triangles.size(), 20000u - 12288);
   ASSERT_EQ(finer.warnings.size(), 2u);
-  EXPECT_EQ(finer.warnings[0].substr(0, 26), "1 mesh is coarser than ask");
-  EXPECT_EQ(finer.warnings[1].substr(0, 29), "1 shape has a material with d");
+  EXPECT_EQ(finer.warnings[0].substr(0, 24), "1 mesh coarser than aske");
+  EXPECT_EQ(finer.warnings[1].substr(0, 21), "1 shape with a displa");
 }
 
 TEST(Tessellate, NormalMapsGetTangents) {
