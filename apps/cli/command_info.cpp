@@ -53,8 +53,11 @@ std::string ObjectsText(const SceneInfo& info) {
   if (!kinds.empty()) text += fmt::format(": {}", fmt::join(kinds, ", "));
   text += "\n";
   if (info.instancedTriangles > 0) {
-    text += fmt::format("  triangles  {} stored, {} seen\n", WithCommas(info.meshTriangles),
+    text += fmt::format("  triangles  {} stored, {} seen", WithCommas(info.meshTriangles),
                         WithCommas(info.instancedTriangles));
+    if (info.finerTriangles > 0)
+      text += fmt::format("; {} in finer meshes", WithCommas(info.finerTriangles));
+    text += "\n";
   }
   return text;
 }
@@ -119,6 +122,7 @@ std::string InfoJson(const SceneInfo& info) {
   json.End();
   json.Add("triangles_stored", info.meshTriangles);
   json.Add("triangles_seen", info.instancedTriangles);
+  json.Add("triangles_finer", info.finerTriangles);
   if (info.bounded) {
     json.BeginObject("bounds");
     AddPoint(json, "lower", info.lower);
@@ -137,6 +141,7 @@ int RunInfo(const InfoArguments& arguments) {
   LoadOptions options;
   options.warn = PrintWarning;
   const SceneInfo info = Inspect(LoadScene(arguments.scene, options));
+  for (const std::string& warning : info.warnings) PrintWarning({warning, {arguments.scene}});
   PrintOut(arguments.json ? InfoJson(info) : Printable(InfoText(info)));
   return Succeeded;
 }

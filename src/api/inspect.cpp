@@ -151,6 +151,8 @@ SceneInfo Inspect(const Scene& opened) {
   const bvh::Bvh bvh(flat.Geometry());
   info.buildSeconds = timer.Seconds();
   info.sceneBytes = flat.MemoryBytes();
+  info.finerTriangles = flat.finerTriangles;
+  info.warnings = flat.warnings;
   info.bvhBytes = bvh.MemoryBytes();
   return info;
 }

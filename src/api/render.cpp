@@ -92,6 +92,7 @@ RenderReport ReportOf(const render::Statistics& statistics, const render::Render
   report.sceneBytes = statistics.sceneBytes;
   report.bvhBytes = statistics.bvhBytes;
   report.filmBytes = statistics.filmBytes;
+  report.warnings = statistics.warnings;
   if (statistics.nonFiniteSamples > 0) {
     const render::NonFiniteSample& first = statistics.nonFinite.front();
     report.warnings.push_back(

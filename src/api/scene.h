@@ -68,12 +68,14 @@ struct SceneInfo {
   std::uint64_t objects = 0;
   std::uint64_t meshTriangles = 0;       // stored
   std::uint64_t instancedTriangles = 0;  // seen, instances counted
-  bool bounded = false;                  // whether the box below holds anything
+  std::uint64_t finerTriangles = 0;  // made by subdivision and displacement for the first camera
+  bool bounded = false;              // whether the box below holds anything
   std::array<double, 3> lower{};
   std::array<double, 3> upper{};
   std::uint64_t sceneBytes = 0;  // once prepared for rendering
   std::uint64_t bvhBytes = 0;
   double buildSeconds = 0;
+  std::vector<std::string> warnings;  // of what preparing it for rendering met
 };
 
 // Builds the BVH to measure it.

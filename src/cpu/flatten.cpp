@@ -10,6 +10,7 @@
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
+#include "cpu/texture_lookup.h"
 
 namespace snell::cpu {
 
@@ -99,7 +100,11 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
 
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
-  FlattenObjects(scene, settings.tintedShadows, flat);
+  const tessellate::FinerMeshes finer =
+      tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
+  flat.finerTriangles = finer.triangles;
+  flat.warnings = finer.warnings;
+  FlattenObjects(scene, finer, settings.tintedShadows, flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -4,6 +4,7 @@
 // world space and the others become instances, angles become cosines. The same arrays serve every device.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bvh/geometry.h"
@@ -33,6 +34,8 @@ struct FlatScene {
   std::vector<std::uint32_t> texels;
   std::vector<kernel::Light> lights;
   std::uint32_t worldTriangles = 0;
+  std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
+  std::vector<std::string> warnings;  // of these
 
   // Views for the BVH; this scene must not move while they are used.
   bvh::Geometry Geometry();

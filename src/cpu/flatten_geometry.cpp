@@ -194,41 +194,39 @@ Shape FlattenShape(const scene::Geometry& geometry, const Affine& toWorld, uint 
   return flattener.shape;
 }
 
-void FlattenObjects(const scene::Scene& scene, bool tintedShadows, FlatScene& flat) {
+void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
+                    bool tintedShadows, FlatScene& flat) {
   const uint firstObject = uint(flat.objects.size());
   // Make the records of the objects and count how often each mesh is used
-  std::vector<uint> uses(scene.meshes.size(), 0);
-  for (const scene::Object& object : scene.objects) {
+  std::vector<uint> uses(scene.meshes.size() + finer.meshes.size(), 0);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
     flat.objects.push_back({uint(object.material), MaskOf(object, material, tintedShadows), None,
                             ToTransform(object.toWorld)});
-    if (const auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry))
-      ++uses[std::size_t(mesh->mesh)];
+    if (finer.meshOf[i] >= 0) ++uses[std::size_t(finer.meshOf[i])];
   }
 
   // Shapes, and meshes used once, which go to world space: these triangles come first
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
-    const auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry);
-    if (!mesh) {
+    if (finer.meshOf[i] < 0) {
       Shape shape = FlattenShape(object.geometry, object.toWorld, firstObject + uint(i));
       shape.mapped = IsMapped(scene, scene.materials[std::size_t(object.material)]) ? 1 : 0;
       flat.shapes.push_back(shape);
-    } else if (uses[std::size_t(mesh->mesh)] == 1) {
-      AppendMesh(scene.meshes[std::size_t(mesh->mesh)], &object.toWorld, firstObject + uint(i),
-                 flat);
+    } else if (uses[std::size_t(finer.meshOf[i])] == 1) {
+      AppendMesh(finer.MeshOf(scene, i), &object.toWorld, firstObject + uint(i), flat);
     }
   }
   flat.worldTriangles = std::uint32_t(flat.triangles.size());
 
   // Meshes used more often, and their instances
-  std::vector<uint> firstTriangle(scene.meshes.size(), None);
+  std::vector<uint> firstTriangle(uses.size(), None);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
-    const auto* geometry = std::get_if<scene::MeshGeometry>(&object.geometry);
-    if (!geometry || uses[std::size_t(geometry->mesh)] < 2) continue;
-    const scene::Mesh& mesh = scene.meshes[std::size_t(geometry->mesh)];
-    uint& first = firstTriangle[std::size_t(geometry->mesh)];
+    if (finer.meshOf[i] < 0 || uses[std::size_t(finer.meshOf[i])] < 2) continue;
+    const scene::Mesh& mesh = finer.MeshOf(scene, i);
+    uint& first = firstTriangle[std::size_t(finer.meshOf[i])];
     if (first == None) first = AppendMesh(mesh, nullptr, None, flat);
     flat.instances.push_back({firstObject + uint(i), 0, first, uint(mesh.triangles.size()),
                               ToTransform(object.toWorld)});

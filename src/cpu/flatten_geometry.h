@@ -4,12 +4,14 @@
 #pragma once
 
 #include "cpu/flatten.h"
+#include "tessellate/tessellate.h"
 
 namespace snell::cpu {
 
 // Append the scene's objects with their shapes, meshes and instances. Triangles in world space must come
 // first: those of lights are there already.
-void FlattenObjects(const scene::Scene& scene, bool tintedShadows, FlatScene& flat);
+void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
+                    bool tintedShadows, FlatScene& flat);
 
 // Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
 // Returns the index of its first triangle.

@@ -54,6 +54,9 @@ uint FlattenFilter(scene::TextureFilter filter) {
   return LOOKUP_MIPMAP;
 }
 
+// What counts as a texel of a pattern, to a period: bump maps measure slopes over it.
+constexpr double PatternTexels = 64;
+
 // A level of detail in linear light, four floats a texel.
 struct Level {
   int width = 0;
@@ -167,11 +170,13 @@ void FlattenTextures(const scene::Scene& scene, FlatScene& flat) {
     texture.wrapU = FlattenWrap(from.wrapU);
     texture.wrapV = FlattenWrap(from.wrapV);
     texture.lookup = FlattenFilter(from.filter);
+    const double stretch = std::abs(glm::determinant(glm::dmat2(glm::inverse(from.placement))));
+    double texels = PatternTexels * PatternTexels;
     if (from.image >= 0) {
       const scene::Image& image = scene.images[std::size_t(from.image)];
-      const double stretch = std::abs(glm::determinant(glm::dmat2(glm::inverse(from.placement))));
-      texture.texelDensity = float(std::sqrt(stretch * image.width * image.height));
+      texels = double(image.width) * image.height;
     }
+    texture.texelDensity = float(std::sqrt(stretch * texels));
     flat.textures.push_back(texture);
   }
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "bvh/bvh.h"
 #include "cpu/kernel.h"
@@ -111,6 +112,15 @@ TEST(FlattenTextures, FloatsKeepTheirBits) {
   const vec4 texel = Evaluate(flat, vec2(0.5f, 0.5f), 0);
   EXPECT_EQ(texel.y, 12345.678f);
   EXPECT_EQ(texel.z, 0.1f);
+}
+
+TEST(FlattenTextures, PatternsHaveTexelsForBumps) {
+  scene::Scene scene;
+  scene.textures.resize(1);
+  scene.textures[0].placement = glm::scale(scene::Affine(1.0), glm::dvec3(0.25));
+  FlatScene flat;
+  FlattenTextures(scene, flat);
+  EXPECT_FLOAT_EQ(flat.textures[0].texelDensity, 4 * 64);
 }
 
 }  // namespace

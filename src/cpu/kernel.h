@@ -47,6 +47,7 @@ struct Kernel {
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
+#include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"
 #include "kernel/whitted.h"
 };

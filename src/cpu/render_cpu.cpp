@@ -123,6 +123,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   Timer timer;
   FlatScene flat = Flatten(scene, request.settings, request.camera);
   statistics.flattenSeconds = timer.Seconds();
+  statistics.warnings = flat.warnings;
   timer = {};
   const bvh::Bvh bvh(flat.Geometry(), QualityFor(flat));
   statistics.buildSeconds = timer.Seconds();

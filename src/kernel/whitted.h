@@ -67,10 +67,10 @@ SCENE_FN uint LightSampleCount(IN(Light) light, Spectrum weight) {
 }
 
 // The light that a surface sends towards wo by its shader terms, or by its physical material. Normals `n` and
-// `ns` are on wo's side.
-SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(Material) material,
-                          IN(PhysicalPoint) point, IN(Shares) shares, vec3 wo, vec3 n, vec3 ns,
-                          IN(MediumStack) media) {
+// `ns` are on wo's side; `meshNormal` is ns before maps have turned it.
+SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(Hit) hit,
+                          IN(Material) material, IN(PhysicalPoint) point, IN(Shares) shares,
+                          vec3 wo, vec3 n, vec3 meshNormal, vec3 ns, IN(MediumStack) media) {
   // Evaluate the colours once for all lights
   Spectrum termColors[8];
   Spectrum L = Spectrum(0.0f, 0.0f, 0.0f);
@@ -98,7 +98,8 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(M
     for (uint i = 0u; i < sampleCount; ++i) {
       LightLiSample li =
           SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
-      if (IsBlack(li.irradiance) || Dot(n, li.wi) <= 0.0f) continue;
+      bool faces = Dot(n, li.wi) > 0.0f;
+      if (IsBlack(li.irradiance) || !(faces || Dot(meshNormal, li.wi) > 0.0f)) continue;
 
       // Add up the terms, then see whether the light arrives
       Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
@@ -114,7 +115,8 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(M
         }
       }
       if (IsBlack(f)) continue;
-      vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
+      vec3 start = OffsetRayOrigin(it.p, it.pError, n, n);
+      if (!faces && !LiftToSmoothSurface(hit, it, n, start)) continue;
       s.rays.shadow += 1u;
       sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media);
     }
@@ -183,6 +185,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
       WhittedWait(s, open);
     branch.weight = branch.weight * opacity;
   }
+  vec3 meshNormal = FaceForward(it.ns, n);
   it.ns = MappedNormal(material, it, shown);
   vec3 ns = FaceForward(it.ns, n);
 
@@ -234,8 +237,9 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
 
   // Add the light of the surface itself
   s.branch.weight = branch.weight;
-  s.L += branch.weight * (material.emission * ShownColor(shown, ROLE_EMISSION) +
-                          TermsLo(s, it, material, point, shares, wo, n, ns, media));
+  s.L +=
+      branch.weight * (material.emission * ShownColor(shown, ROLE_EMISSION) +
+                       TermsLo(s, it, hit, material, point, shares, wo, n, meshNormal, ns, media));
 
   // Follow the lesser branch, let the greater wait
   Spectrum reflectedWeight = branch.weight * shares.reflection;

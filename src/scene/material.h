@@ -87,6 +87,26 @@ struct ReliefMap {
   bool flipGreen = false;  // normals: green points down (DirectX)
 };
 
+// How long the edges of a finer mesh may be, as seen by the camera and on the surface; 0: any length.
+struct EdgeTarget {
+  float pixels = 0;
+  float length = 0;  // metres
+
+  bool operator==(const EdgeTarget&) const = default;
+};
+
+// Moves the surface along its normal by scale · (texture − middle). Meshes are cut into triangles with edges
+// of the target's length first (src/tessellate).
+struct Displacement {
+  TextureIndex texture = -1;
+  int channel = 0;      // of the texture, as in ScalarInput
+  float scale = 0.1f;   // metres from black to white
+  float middle = 0.5f;  // the value that stays where it is
+  EdgeTarget target{2, 0};
+
+  bool operator==(const Displacement&) const = default;
+};
+
 // --- The classic material -------------------------------------------------------------------------------
 
 enum class TermKind { Ambient, Diffuse, Phong, Blinn };
@@ -176,6 +196,7 @@ struct Material {
   // Of both kinds
   ReliefMap normalMap;
   ReliefMap bumpMap;
+  Displacement displacement;
   ScalarInput opacity{1};
   AlphaMode alphaMode = AlphaMode::Opaque;  // what opacity below 1 means
   float alphaCutoff = 0.5f;                 // Mask: less is a hole

@@ -92,7 +92,31 @@ struct MeshGeometry {
 
 using Geometry = std::variant<Sphere, Plane, Disk, Rectangle, Box, Cone, Torus, MeshGeometry>;
 
-// Triangles over shared vertices. All but positions and triangles are empty or have an entry per position.
+enum class SubdivisionScheme { None, CatmullClark, Loop };
+
+// How the limit surface meets the mesh's boundary: not at all, in a smooth curve, or in one that goes through
+// the corners.
+enum class SubdivisionBoundary { None, EdgeOnly, EdgeAndCorner };
+
+// The mesh stands for the smooth surface that repeated cutting of its faces leads to (src/tessellate).
+struct Subdivision {
+  SubdivisionScheme scheme = SubdivisionScheme::None;
+  SubdivisionBoundary boundary = SubdivisionBoundary::EdgeAndCorner;
+  int levels = 2;          // each cuts a face in four; without a target
+  EdgeTarget target = {};  // finds the levels
+
+  bool operator==(const Subdivision&) const = default;
+};
+
+// An edge of a subdivided mesh that stays sharp, or a corner if its ends are the same: fully from 10 on, for so
+// many levels below. The ends are places, for any number of vertices may lie there.
+struct Crease {
+  vec3 from{0.0f};
+  vec3 to{0.0f};
+  float sharpness = 10;
+};
+
+// Triangles over shared vertices. Positions to colours, all but the first are empty or have an entry per position.
 // Vertices count counter-clockwise seen from outside; normals, where given, say themselves which side is
 // outside. In `uvs`, (0, 0) is a picture's lower left corner. A tangent's w is the sign of the bitangent:
 // cross(normal, tangent) · w. Colours are linear and multiply a physical material's base colour, their w its opacity.
@@ -105,6 +129,9 @@ struct Mesh {
   std::vector<vec4> tangents;
   std::vector<vec4> colors;
   std::vector<uvec3> triangles;
+  std::vector<bool>
+      joins;  // whether a triangle and the one before it are of one polygon; empty: none
+  std::vector<Crease> creases;
 };
 
 // One thing in the world. Objects that share a mesh are instances of it.
@@ -113,6 +140,7 @@ struct Object {
   Geometry geometry;
   MaterialIndex material = -1;
   Affine toWorld{1.0};
+  Subdivision subdivision;  // of meshes
   bool visibleToCamera = true;
   bool visibleToSecondary = true;  // in mirrors and through glass
   bool castsShadow = true;

@@ -195,6 +195,15 @@ class Checker {
     Require(Finite(material.normalMap.scale) && Finite(material.bumpMap.scale) &&
                 Finite(material.alphaCutoff),
             fmt::format("{} needs a finite scale", what));
+    const Displacement& d = material.displacement;
+    Require(IsTexture(d.texture) && d.channel >= 0 && d.channel <= 3 && Finite(d.scale) &&
+                Finite(d.middle) && Sound(d.target) && (d.target.pixels > 0 || d.target.length > 0),
+            fmt::format("{} of displacement is not sound", what));
+  }
+
+  static bool Sound(const EdgeTarget& target) {
+    return Finite(target.pixels) && target.pixels >= 0 && Finite(target.length) &&
+           target.length >= 0;
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
@@ -227,6 +236,8 @@ class Checker {
     };
     Require(fits(mesh.uvs1) && fits(mesh.tangents) && fits(mesh.colors),
             bad("has too few coordinates, tangents or colours"));
+    Require(mesh.joins.empty() || mesh.joins.size() == mesh.triangles.size(),
+            bad("has too few joins of triangles"));
     for (const uvec3& t : mesh.triangles) {
       if (t.x < mesh.positions.size() && t.y < mesh.positions.size() && t.z < mesh.positions.size())
         continue;
@@ -242,6 +253,9 @@ class Checker {
     Require(object.material >= 0 && object.material < int(scene_.materials.size()),
             bad("has no material"), object.place);
     Require(Invertible(object.toWorld), bad("has a singular transform"), object.place);
+    const Subdivision& subdivision = object.subdivision;
+    Require(subdivision.levels >= 0 && subdivision.levels <= 10 && Sound(subdivision.target),
+            bad("needs 0 to 10 levels of subdivision"), object.place);
     std::visit(
         [&](const auto& geometry) { Require(Sound(geometry), bad("has no extent"), object.place); },
         object.geometry);

@@ -70,6 +70,7 @@ struct BruteForceKernel {
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
+#include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"
 #include "kernel/whitted.h"
 

@@ -47,6 +47,7 @@ void CompleteNormals(Mesh& mesh, float creaseDegrees, std::span<const std::uint3
     mesh.triangles[lacking[i]] = completed.triangles[i] + offset;
   result.name = std::move(mesh.name);
   result.triangles = std::move(mesh.triangles);
+  result.joins = std::move(mesh.joins);
   mesh = std::move(result);
 }
 

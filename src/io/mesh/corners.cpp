@@ -6,34 +6,15 @@
 #include <algorithm>
 #include <atomic>
 
-#include "io/mesh/table.h"
+#include "scene/places.h"
 
 namespace snell::io {
-namespace {
 
 using scene::Mesh;
-using scene::uvec3;
-using scene::vec3;
-
 using Index = std::uint32_t;
 
-// The place of each vertex.
-std::vector<Index> FindPlaces(const std::vector<vec3>& positions) {
-  std::vector<Index> places(positions.size());
-  IndexTable table(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const uvec3 bits = PositionBits(positions[i]);
-    places[i] = table.FindOrAdd(HashOf(bits.x, bits.y, bits.z), Index(i), [&](Index other) {
-      return PositionBits(positions[other]) == bits;
-    });
-  }
-  return places;
-}
-
-}  // namespace
-
 CornerLists ListCorners(const Mesh& mesh) {
-  const std::vector<Index> places = FindPlaces(mesh.positions);
+  const std::vector<Index> places = scene::FindPlaces(mesh.positions);
   const std::size_t placeCount = places.size(), cornerCount = mesh.triangles.size() * 3;
   const auto placeOf = [&](std::size_t corner) {
     return places[mesh.triangles[corner / 3][int(corner % 3)]];

@@ -12,7 +12,7 @@
 #include "io/mesh/cut.h"
 #include "io/mesh/normals.h"
 #include "io/mesh/readers.h"
-#include "io/mesh/table.h"
+#include "util/index_table.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -54,8 +54,8 @@ void DropMissing(std::vector<std::uint32_t>& indices, std::size_t count, const c
               file.AtLine(0));
 }
 
-// Triangles of corners. The runs of faces become runs of triangles.
-std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file) {
+// Triangles of corners; `joins` as in Mesh. The runs of faces become runs of triangles.
+std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file, std::vector<bool>& joins) {
   const std::uint64_t count = faces.positionOf.size() - 2 * faces.faceCount;
   const std::uint64_t limit = std::min<std::uint64_t>(file.options.maxTriangles, NoIndex / 3);
   if (count > limit)
@@ -79,6 +79,10 @@ std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file) {
     else
       ++undefined;
     first += size;
+    if (!faces.sizes.empty() && triangles.size() > joins.size()) {
+      joins.push_back(false);
+      joins.resize(triangles.size(), true);
+    }
   }
 
   if (undefined > 0)
@@ -184,7 +188,7 @@ Mesh MakeMesh(FaceSet faces, const MeshFile& file, std::vector<FaceRun>& runs) {
 
   Mesh mesh;
   mesh.name = faces.name;
-  mesh.triangles = CutFaces(faces, file);
+  mesh.triangles = CutFaces(faces, file, mesh.joins);
   runs = std::move(faces.runs);
   const std::vector<Origin> vertices = JoinCorners(faces, mesh.triangles);
   mesh.positions.reserve(vertices.size());

@@ -15,8 +15,9 @@
 #include <vector>
 
 #include "io/mesh/corners.h"
-#include "io/mesh/table.h"
 #include "io/mesh/vertices.h"
+#include "scene/places.h"
+#include "util/index_table.h"
 
 namespace snell::io {
 namespace {
@@ -123,7 +124,7 @@ class PlaceSmoother {
         vertex = Index(first);
         while (vertex < next && !equals(vertex)) ++vertex;
       } else {
-        const uvec3 bits = PositionBits(normal);
+        const uvec3 bits = scene::PositionBits(normal);
         const std::uint64_t hash = HashOf(bits.x, bits.y, bits.z) + source;
         vertex = table->FindOrAdd(MixBits(hash), next, equals);
       }
@@ -252,6 +253,8 @@ void SmoothNormals(Mesh& mesh, float creaseDegrees, std::span<const Index> smoot
   Mesh smooth = CopyVertices(mesh, sources);
   smooth.name = std::move(mesh.name);
   smooth.triangles = std::move(mesh.triangles);
+  smooth.joins = std::move(mesh.joins);
+  smooth.creases = std::move(mesh.creases);
   smooth.normals = std::move(normals);
   mesh = std::move(smooth);
 }

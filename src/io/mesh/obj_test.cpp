@@ -284,5 +284,20 @@ TEST(MeshObj, ManyCornersOfOnePolygon) {
   EXPECT_DOUBLE_EQ(AreaVector(result.mesh).z, 2.0 * Teeth + 9.0 * Teeth);
 }
 
+TEST(MeshObj, RemembersWhichTrianglesWereOnePolygon) {
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 1\nv 0 0 0\nv 1 0 0\nv 2 0 0\n";
+  const auto joinsOf = [&](const std::string& faces) {
+    return ReadText("a.obj", vertices + faces).mesh.joins;
+  };
+  // The third face has no area and gives no triangle
+  EXPECT_EQ(joinsOf("f 1 2 3 4\nf 1 2 5\nf 1 1 2 2\nf 4 3 2 1\n").size(),
+            ReadText("a.obj", vertices + "f 1 2 3 4\nf 1 2 5\nf 1 1 2 2\nf 4 3 2 1\n")
+                .mesh.triangles.size());
+  EXPECT_EQ(joinsOf("f 1 2 5\nf 1 2 3 4\nf 3 4 5\n"),
+            (std::vector<bool>{false, false, true, false}));
+  EXPECT_TRUE(joinsOf("f 1 2 5\nf 3 4 5\n").empty());
+}
+
 }  // namespace
 }  // namespace snell::io

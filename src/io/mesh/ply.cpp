@@ -18,7 +18,8 @@
 #include "io/mesh/ply_header.h"
 #include "io/mesh/ply_source.h"
 #include "io/mesh/readers.h"
-#include "io/mesh/table.h"
+#include "scene/places.h"
+#include "util/index_table.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -254,12 +255,12 @@ class PlyBody {
 
   // The index of a uv among those of corners; equal ones are joined.
   std::uint32_t AddUv(float u, float v) {
-    const std::uint32_t bitsU = CoordinateBits(u), bitsV = CoordinateBits(v);
+    const std::uint32_t bitsU = scene::CoordinateBits(u), bitsV = scene::CoordinateBits(v);
     const std::uint32_t next = std::uint32_t(faces_.uvs.size());
     const std::uint32_t index =
         uvTable_.FindOrAdd(HashOf(bitsU, bitsV, 0), next, [&](std::uint32_t i) {
-          return CoordinateBits(faces_.uvs[i].x) == bitsU &&
-                 CoordinateBits(faces_.uvs[i].y) == bitsV;
+          return scene::CoordinateBits(faces_.uvs[i].x) == bitsU &&
+                 scene::CoordinateBits(faces_.uvs[i].y) == bitsV;
         });
     if (index == next) faces_.uvs.emplace_back(u, v);
     return index;

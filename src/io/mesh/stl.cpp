@@ -13,8 +13,9 @@
 #include <utility>
 
 #include "io/mesh/readers.h"
-#include "io/mesh/table.h"
 #include "io/mesh/text.h"
+#include "scene/places.h"
+#include "util/index_table.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -57,11 +58,11 @@ class StlBuilder {
   }
 
   void AddCorner(const vec3& position) {
-    const uvec3 bits = PositionBits(position);
+    const uvec3 bits = scene::PositionBits(position);
     const std::uint32_t next = std::uint32_t(faces_.positions.size());
     const std::uint32_t index = table_.FindOrAdd(
         HashOf(bits.x, bits.y, bits.z), next,
-        [&](std::uint32_t i) { return PositionBits(faces_.positions[i]) == bits; });
+        [&](std::uint32_t i) { return scene::PositionBits(faces_.positions[i]) == bits; });
     if (index == next) faces_.positions.push_back(position);
     faces_.AddCorner(index);
   }

@@ -59,6 +59,7 @@ TriangleExtractor::TriangleExtractor(const Mesh& mesh)
 Mesh TriangleExtractor::Extract(std::span<const std::uint32_t> triangles) {
   std::vector<uvec3> renamed;
   renamed.reserve(triangles.size());
+  std::vector<bool> joins;
   std::vector<std::uint32_t> sources;
   for (const std::uint32_t i : triangles) {
     uvec3 triangle = mesh_.triangles[i];
@@ -71,11 +72,13 @@ Mesh TriangleExtractor::Extract(std::span<const std::uint32_t> triangles) {
       triangle[k] = vertex;
     }
     renamed.push_back(triangle);
+    if (!mesh_.joins.empty()) joins.push_back(mesh_.joins[i]);
   }
   for (const std::uint32_t source : sources) vertexOf_[source] = None;
 
   Mesh part = CopyVertices(mesh_, sources);
   part.triangles = std::move(renamed);
+  part.joins = std::move(joins);
   return part;
 }
 

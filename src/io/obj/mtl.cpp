@@ -22,17 +22,17 @@ constexpr std::pair<std::string_view, MtlNumber> Numbers[] = {
     {"pm", MtlNumber::Pm},   {"ps", MtlNumber::Ps},       {"pc", MtlNumber::Pc},
     {"pcr", MtlNumber::Pcr}, {"aniso", MtlNumber::Aniso}, {"anisor", MtlNumber::Anisor}};
 constexpr std::pair<std::string_view, MtlMapKey> Maps[] = {
-    {"map_kd", MtlMapKey::Kd},   {"map_ks", MtlMapKey::Ks},       {"map_ns", MtlMapKey::Ns},
-    {"map_ke", MtlMapKey::Ke},   {"map_d", MtlMapKey::D},         {"map_pr", MtlMapKey::Pr},
-    {"map_pm", MtlMapKey::Pm},   {"map_ps", MtlMapKey::Ps},       {"map_pc", MtlMapKey::Pc},
-    {"map_pcr", MtlMapKey::Pcr}, {"map_aniso", MtlMapKey::Aniso}, {"map_bump", MtlMapKey::Bump},
-    {"bump", MtlMapKey::Bump},   {"norm", MtlMapKey::Normal}};
+    {"map_kd", MtlMapKey::Kd},    {"map_ks", MtlMapKey::Ks},       {"map_ns", MtlMapKey::Ns},
+    {"map_ke", MtlMapKey::Ke},    {"map_d", MtlMapKey::D},         {"map_pr", MtlMapKey::Pr},
+    {"map_pm", MtlMapKey::Pm},    {"map_ps", MtlMapKey::Ps},       {"map_pc", MtlMapKey::Pc},
+    {"map_pcr", MtlMapKey::Pcr},  {"map_aniso", MtlMapKey::Aniso}, {"map_bump", MtlMapKey::Bump},
+    {"bump", MtlMapKey::Bump},    {"norm", MtlMapKey::Normal},     {"disp", MtlMapKey::Disp},
+    {"map_disp", MtlMapKey::Disp}};
 // Maps that have no counterpart, or none yet.
 constexpr std::pair<std::string_view, std::string_view> UnreadMaps[] = {
-    {"disp", "displacement map"}, {"map_disp", "displacement map"},
-    {"refl", "reflection map"},   {"map_refl", "reflection map"},
-    {"decal", "decal"},           {"map_tr", "transparency map (map_Tr)"},
-    {"map_ka", "ambient map"},    {"map_anisor", "map of anisotropy's direction"}};
+    {"refl", "reflection map"}, {"map_refl", "reflection map"},
+    {"decal", "decal"},         {"map_tr", "transparency map (map_Tr)"},
+    {"map_ka", "ambient map"},  {"map_anisor", "map of anisotropy's direction"}};
 // Without a meaning here: ambient light is not a material's, and hints to old renderers.
 constexpr std::string_view Silent[] = {"ka", "sharpness", "map_aat"};
 

@@ -22,7 +22,7 @@ namespace snell::io {
 
 enum class MtlColor { Kd, Ks, Ke, Tf, Count };
 enum class MtlNumber { Ns, D, Tr, Ni, Illum, Pr, Pm, Ps, Pc, Pcr, Aniso, Anisor, Count };
-enum class MtlMapKey { Kd, Ks, Ns, Ke, D, Pr, Pm, Ps, Pc, Pcr, Aniso, Bump, Normal, Count };
+enum class MtlMapKey { Kd, Ks, Ns, Ke, D, Pr, Pm, Ps, Pc, Pcr, Aniso, Bump, Normal, Disp, Count };
 
 // A picture and how it is to be laid out.
 struct MtlMap {

@@ -155,6 +155,12 @@ void MtlConverter::ConvertRelief(const MtlMaterial& mtl, scene::Material& materi
     material.normalMap = {Load(mtl, MtlMapKey::Normal, ImageUse::Data), map->bump, false};
   if (const auto& map = mtl.Of(MtlMapKey::Bump))
     material.bumpMap = {Load(mtl, MtlMapKey::Bump, ImageUse::Data), map->bump * BumpHeight, false};
+  if (const auto& map = mtl.Of(MtlMapKey::Disp)) {
+    material.displacement.texture = Load(mtl, MtlMapKey::Disp, ImageUse::Data);
+    material.displacement.channel = ChannelOf(mtl, MtlMapKey::Disp);
+    material.displacement.scale = map->bump * BumpHeight;
+    material.displacement.middle = 0;
+  }
 }
 
 }  // namespace snell::io

@@ -68,7 +68,7 @@ TEST(Mtl, ErrorsNameTheLine) {
 TEST(Mtl, OddStatementsAreCounted) {
   ObjTestScene test;
   const Material material = test.ReadMaterial(
-      "Kt 1 1 1\nKt 0 0 0\nbleh\nNs nan\nKd 2 -1 0.5\nrefl a.png\ndisp b.png\ndisp c.png\n"
+      "Kt 1 1 1\nKt 0 0 0\nbleh\nNs nan\nKd 2 -1 0.5\nrefl a.png\ndecal b.png\ndecal c.png\n"
       "Ka 1 1 1\nnewmtl m\nKd 0 0 0\n");
   EXPECT_EQ(material.physical->baseColor.value, vec3(1, 0, 0.5f));
   EXPECT_EQ(test.warnings,
@@ -76,7 +76,7 @@ TEST(Mtl, OddStatementsAreCounted) {
                 "a.mtl:2: 3 unknown material statements left out, the first one 'Kt'",
                 "a.mtl:5: 1 number of materials infinite or undefined, left out",
                 "a.mtl:7: 1 reflection map not read: 'a.png'",
-                "a.mtl:8: 2 displacement maps not read, the first one 'b.png'",
+                "a.mtl:8: 2 decals not read, the first one 'b.png'",
                 "a.mtl:11: 1 material defined twice; the first definition counts: 'm'",
                 "a.mtl:1: 1 color of materials beyond what is possible, clamped: 'm'"}));
 }
@@ -214,6 +214,17 @@ TEST(Mtl, ReliefMaps) {
   EXPECT_EQ(material.normalMap.scale, 2);
   // The picture is half a metre long on the triangle
   EXPECT_FLOAT_EQ(material.bumpMap.scale, 0.5f * 0.5f * BumpHeight);
+}
+
+TEST(Mtl, DisplacementIsMeasuredLikeBumps) {
+  ObjTestScene test;
+  test.Paint("h.png", image::vec3(0.5f));
+  const Material material = test.ReadMaterial("disp -bm 2 -imfchan b h.png\nbump -bm 2 h.png\n");
+  EXPECT_EQ(test.warnings, std::vector<std::string>());
+  EXPECT_GE(material.displacement.texture, 0);
+  EXPECT_EQ(material.displacement.channel, 2);
+  EXPECT_EQ(material.displacement.middle, 0);
+  EXPECT_EQ(material.displacement.scale, material.bumpMap.scale);
 }
 
 }  // namespace

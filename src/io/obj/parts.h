@@ -13,7 +13,7 @@
 
 #include "io/mesh/faces.h"
 #include "io/mesh/readers.h"
-#include "io/mesh/table.h"
+#include "util/index_table.h"
 
 namespace snell::io {
 

@@ -120,17 +120,20 @@ void AddAreas(const scene::Mesh& mesh, Areas& areas) {
 }
 
 // Turn heights for pictures one metre long into metres: by the length that a picture has on the surface.
-void ScaleBumps(scene::Scene& scene) {
+void ScaleHeights(scene::Scene& scene) {
   std::vector<Areas> areas(scene.materials.size());
   for (const scene::Object& object : scene.objects) {
     const scene::Mesh& mesh =
         scene.meshes[std::size_t(std::get<scene::MeshGeometry>(object.geometry).mesh)];
-    if (scene.materials[std::size_t(object.material)].bumpMap.texture >= 0 && !mesh.uvs.empty())
-      AddAreas(mesh, areas[std::size_t(object.material)]);
+    const scene::Material& material = scene.materials[std::size_t(object.material)];
+    const bool hasHeights = material.bumpMap.texture >= 0 || material.displacement.texture >= 0;
+    if (hasHeights && !mesh.uvs.empty()) AddAreas(mesh, areas[std::size_t(object.material)]);
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const float length = float(std::sqrt(areas[i].surface / areas[i].picture));
-    if (std::isfinite(length)) scene.materials[i].bumpMap.scale *= length;
+    if (!std::isfinite(length)) continue;
+    scene.materials[i].bumpMap.scale *= length;
+    scene.materials[i].displacement.scale *= length;
   }
 }
 
@@ -161,7 +164,7 @@ scene::Scene ReadObjects(const std::filesystem::path& path, const MeshReadOption
                 scene);
     }
   }
-  ScaleBumps(scene);
+  ScaleHeights(scene);
   return scene;
 }
 

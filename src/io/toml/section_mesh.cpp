@@ -3,7 +3,9 @@
 // Meshes that are written in the scene: the inline table `mesh` and the shape "triangle".
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "io/mesh/normals.h"
 #include "io/mesh/polygon.h"
@@ -53,6 +55,15 @@ static void CheckMesh(Reader& reader, const Fields& fields, MeshDraft& mesh) {
   CheckCount(reader, fields, "uvs", mesh.uvs.size(), count);
   CheckIndices(reader, fields, "triangles", mesh.triangles, count);
   CheckIndices(reader, fields, "polygons", mesh.polygons, count);
+  for (const CreaseDraft& crease : mesh.creases) {
+    const auto outside = std::ranges::find_if(
+        crease.vertices, [&](int vertex) { return std::size_t(vertex) >= count; });
+    if (outside == crease.vertices.end()) continue;
+    reader.Report(fmt::format("'creases': there is no position {}; there are {}, counted from 0",
+                              *outside, count),
+                  fields.PlaceOf("creases"));
+    return;
+  }
 }
 
 void CheckTriangle(Reader& reader, const Fields& fields, MeshDraft& mesh) {
@@ -77,9 +88,20 @@ scene::Mesh BuildMesh(const MeshDraft& draft) {
   for (const std::vector<int>& polygon : draft.polygons) {
     corners.clear();
     for (const int index : polygon) corners.push_back(mesh.positions[std::size_t(index)]);
-    for (const scene::uvec3& t : TriangulatePolygon(corners).triangles)
+    bool isFirst = true;
+    for (const scene::uvec3& t : TriangulatePolygon(corners).triangles) {
       mesh.triangles.emplace_back(unsigned(polygon[t.x]), unsigned(polygon[t.y]),
                                   unsigned(polygon[t.z]));
+      mesh.joins.push_back(!std::exchange(isFirst, false));
+    }
+  }
+  for (const CreaseDraft& crease : draft.creases) {
+    const auto place = [&](std::size_t i) {
+      return mesh.positions[std::size_t(crease.vertices[i])];
+    };
+    for (std::size_t i = 0; i + 1 < crease.vertices.size(); ++i)
+      mesh.creases.push_back({place(i), place(i + 1), crease.sharpness});
+    if (crease.vertices.size() == 1) mesh.creases.push_back({place(0), place(0), crease.sharpness});
   }
   if (mesh.normals.empty()) SmoothNormals(mesh, draft.smooth);
   return mesh;
@@ -140,6 +162,11 @@ const SectionOf<MeshDraft>& MeshSection() {
            Field("uvs", &MeshDraft::uvs, Uvs(0, NoLimit), "Texture coordinates of each position.")
                .Standard("barycentric")
                .Not({"uv", "texcoords"}),
+           Field("creases", &MeshDraft::creases,
+                 ListOf(TableOf(CreaseSection, "{ vertices, sharpness }"), "creases"),
+                 "Edges and corners that stay sharp when the mesh is subdivided.")
+               .Standard("none")
+               .Example("[{ vertices = [0, 1, 2], sharpness = 3 }]"),
            Field("smooth", &MeshDraft::smooth, Number({0, 180}, "degrees"),
                  "Without `normals`, edges between faces that meet at a smaller angle look round; "
                  "0: flat.")

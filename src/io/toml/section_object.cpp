@@ -62,6 +62,22 @@ static Type<std::string> GroupName() {
   return type;
 }
 
+static KeyOf<ObjectDraft> SubdivisionKey() {
+  Type<scene::Subdivision> type = TableOf(SubdivisionSection, "a table with a scheme or levels");
+  type.read = [read = type.read](Reader& reader, const Node& value, scene::Subdivision& record) {
+    record.scheme = scene::SubdivisionScheme::CatmullClark;
+    return read(reader, value, record);
+  };
+  const auto at = [](ObjectDraft& draft) -> scene::Subdivision& {
+    return draft.object.subdivision;
+  };
+  return FieldAt<ObjectDraft, scene::Subdivision>(
+             "subdivision", at, type, "Makes the mesh the smooth surface that it is the cage of.")
+      .Standard("none")
+      .Example("{ scheme = \"catmull-clark\", levels = 3 }")
+      .Not({"subdivide", "subdiv"});
+}
+
 static VariantOf<ObjectDraft> FileVariant() {
   const auto file = Field("file", &ObjectDraft::file, SceneFile("bunny.ply"),
                           "The file, relative to the one that names it.")
@@ -75,7 +91,7 @@ static VariantOf<ObjectDraft> FileVariant() {
                             "Whether to drop the file's own normals.");
   return VariantOf<ObjectDraft>(
              "file", fmt::format("The triangles of a mesh file ({}).", KnownMeshExtensions()),
-             {file, smooth, ignore})
+             {file, smooth, ignore, SubdivisionKey()})
       .ByPresence()
       .Checked(FinishFile);
 }
@@ -99,7 +115,7 @@ static VariantOf<ObjectDraft> MeshVariant() {
   return VariantOf<ObjectDraft>("mesh",
                                 "Triangles written in the scene: an inline table, or one of its "
                                 "own under `[object.mesh]`.",
-                                {mesh})
+                                {mesh, SubdivisionKey()})
       .ByPresence()
       .Checked(FinishInlineMesh);
 }

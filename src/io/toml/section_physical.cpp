@@ -39,7 +39,14 @@ Keys<MaterialDraft> MapKeys() {
                     "A texture of heights: the brighter, the higher.")
                   .Standard("none"),
               Field("bump_height", &ReliefMap::scale, Number(Any, "m"), "From black to white.")});
-  return Within(&MaterialDraft::material, Join<Material>({normals, bumps}));
+  const auto displacement =
+      Field("displacement", &Material::displacement,
+            TableOf(DisplacementSection, "a table with a texture and a height"),
+            "Moves the surface of meshes.")
+          .Standard("none")
+          .Example("{ texture = \"marble\", height = 0.2 }")
+          .Not({"displacement_map", "disp"});
+  return Within(&MaterialDraft::material, Join<Material>({normals, bumps, {displacement}}));
 }
 
 static void FinishPhysical(Reader&, const Fields&, MaterialDraft& draft) {

@@ -264,10 +264,11 @@ const SectionOf<GroupDraft>& GroupSection() {
 
 const std::vector<const Section*>& AllSections() {
   static const std::vector<const Section*> sections = {
-      &FileSection(),          &RenderSection(),   &CameraSection(), &EnvironmentSection(),
-      &LightSection(),         &ObjectSection(),   &MeshSection(),   &GroupSection(),
-      &TransformStepSection(), &RotationSection(), &LookAtSection(), &MaterialSection(),
-      &TermSection(),          &TextureSection(),  &TintSection()};
+      &FileSection(),          &RenderSection(),   &CameraSection(),       &EnvironmentSection(),
+      &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
+      &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
+      &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
+      &TextureSection(),       &TintSection()};
   return sections;
 }
 

@@ -117,6 +117,13 @@ struct Preset {
 };
 const std::vector<Preset>& Presets();
 
+// --- Finer meshes (toml_section_detail.cpp) -----------------------------------------------------------------
+
+struct CreaseDraft;
+const SectionOf<scene::Subdivision>& SubdivisionSection();
+const SectionOf<CreaseDraft>& CreaseSection();
+const SectionOf<scene::Displacement>& DisplacementSection();
+
 // --- Lights (toml_section_light.cpp) ------------------------------------------------------------------------
 
 struct LightDraft {
@@ -135,6 +142,12 @@ bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, 
 
 // --- Objects (toml_section_object.cpp, toml_section_shapes.cpp, toml_section_mesh.cpp) ----------------------
 
+// A chain of sharp edges, or a corner.
+struct CreaseDraft {
+  std::vector<int> vertices;
+  float sharpness = 10;
+};
+
 // An inline mesh, or the one of a triangle.
 struct MeshDraft {
   std::vector<vec3> positions;
@@ -142,6 +155,7 @@ struct MeshDraft {
   std::vector<std::vector<int>> polygons;
   std::vector<vec3> normals;
   std::vector<vec2> uvs;
+  std::vector<CreaseDraft> creases;
   float smooth = 40;  // degrees
 };
 

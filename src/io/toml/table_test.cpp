@@ -26,6 +26,11 @@ const std::map<std::string, std::string> Frames = {
     {"rotation", "[[object]]\nshape = \"box\"\nrotate = { $ }"},
     {"look_at", "[[object]]\nshape = \"box\"\ntransform = [{ look_at = { $ } }]"},
     {"material", "[material.m]\n$"},
+    {"subdivision", "[[object]]\nfile = \"bunny.ply\"\nsubdivision = { $ }"},
+    {"crease",
+     "[[object]]\nmesh = { positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = "
+     "[[0, 1, 2]], creases = [{ $ }] }"},
+    {"displacement", "[material.m]\ndisplacement = { $ }"},
     {"term", "[material.m]\nterms = [{ $ }]"},
     {"texture", "[texture.t]\n$"},
     {"tint", "[material.m]\ntype = \"phong\"\ndiffuse = { $ }"}};

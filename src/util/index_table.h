@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.h"
-
-namespace snell::io {
+namespace snell {
 
 inline std::uint64_t MixBits(std::uint64_t h) {
   h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdull;
@@ -24,14 +22,6 @@ inline std::uint64_t MixBits(std::uint64_t h) {
 
 inline std::uint64_t HashOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return MixBits(MixBits(std::uint64_t(a) | std::uint64_t(b) << 32) + c);
-}
-
-// The bits of a coordinate; of both zeros those of +0. Unlike by ==, NaNs can be equal, so that a table
-// of them does not grow without bounds.
-inline std::uint32_t CoordinateBits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); }
-
-inline scene::uvec3 PositionBits(const scene::vec3& p) {
-  return {CoordinateBits(p.x), CoordinateBits(p.y), CoordinateBits(p.z)};
 }
 
 class IndexTable {
@@ -78,4 +68,4 @@ class IndexTable {
   std::size_t count_ = 0;
 };
 
-}  // namespace snell::io
+}  // namespace snell

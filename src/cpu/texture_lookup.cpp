@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cpu/texture_lookup.h"
+
+#include "kernel/values.h"
+
+namespace snell::cpu {
+
+using namespace kernel;
+
+namespace {
+
+// The part of the kernel that reads textures (cpu/kernel.h binds all of it).
+struct TextureKernel {
+  const Object* objects;
+  const Texture* textures;
+  const Image* images;
+  const uint* texels;
+
+#include "kernel/scene_image.h"
+#include "kernel/scene_texture.h"
+};
+
+}  // namespace
+
+tessellate::TextureLookup LookupIn(const FlatScene& flat) {
+  return [&flat](scene::TextureIndex index, int channel, const tessellate::TexturePoint& point) {
+    // The point is where the texture wants it already
+    static const Object here = {0, 0, None, ToTransform(scene::Affine(1.0))};
+    TextureKernel kernel = {&here, flat.textures.data(), flat.images.data(), flat.texels.data()};
+    const Texture& texture = flat.textures[std::size_t(index)];
+    SurfaceInteraction it = {};
+    it.p = texture.space == SPACE_WORLD ? point.world : point.local;
+    it.footprint = point.width;
+    it.uvDensity = 1;
+    return kernel.EvalTextureAt(texture, it, point.uv)[channel];
+  };
+}
+
+}  // namespace snell::cpu
