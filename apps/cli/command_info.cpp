@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json.h"
+#include "cli/load_options.h"
 #include "cli/values.h"
 #include "util/text.h"
 
@@ -24,6 +25,7 @@ constexpr std::size_t ShownItems = 20;  // of each list, for people
 
 struct InfoArguments {
   std::string scene;
+  LoadArguments load;
   bool json = false;
 };
 
@@ -134,9 +136,7 @@ std::string InfoJson(const SceneInfo& info) {
 }
 
 int RunInfo(const InfoArguments& arguments) {
-  LoadOptions options;
-  options.warn = PrintWarning;
-  const SceneInfo info = Inspect(LoadScene(arguments.scene, options));
+  const SceneInfo info = Inspect(Load(arguments.scene, arguments.load, PrintWarning));
   PrintOut(arguments.json ? InfoJson(info) : Printable(InfoText(info)));
   return Succeeded;
 }
@@ -151,6 +151,7 @@ void AddInfoCommand(Program& program) {
               "A scene or a mesh (" + KnownSceneExtensions() + ")");
   command.option_defaults()->group("Form");
   AddFlag(command, "--json", arguments->json, "As JSON, with everything in full");
+  AddLoadOptions(command, arguments->load);
 }
 
 }  // namespace snell::cli

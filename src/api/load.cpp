@@ -14,6 +14,7 @@ Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options) {
   io::ReadOptions readOptions;
   readOptions.zUp = options.zUp;
   readOptions.smooth = options.smooth;
+  readOptions.time = options.time;
   return Scene(
       std::make_shared<const scene::Scene>(io::ReadScene(path, readOptions, options.warn)));
 }

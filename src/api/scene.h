@@ -26,6 +26,8 @@ struct LoadOptions {
   std::optional<bool> zUp = {};
   std::optional<float> smooth =
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
+  std::optional<double> time =
+      {};  // seconds, of a glTF file's animations; without it everything is at rest
 };
 
 // An opened scene, ready to render. Copies share the same contents, which do not change.
@@ -41,7 +43,7 @@ class SNELL_EXPORT Scene {
   std::shared_ptr<const scene::Scene> contents_;
 };
 
-// Open a scene (.toml, .nff) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
+// Open a scene (.toml, .gltf, .glb, .nff) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
 // without a camera gets one that shows everything. Throws Error with every mistake that was found.
 SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 

@@ -87,6 +87,8 @@ scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& opt
   if (std::filesystem::is_directory(path, ignored))
     throw Error("this is a folder, not a file", {path.string()});
   scene::Scene scene;
+  if (options.time && warn && FormatOf(path) != Format::Gltf)
+    warn({"the time is for animations, which only glTF files have", {path.string()}});
   switch (FormatOf(path)) {
     case Format::Toml: scene = ReadToml(path, warn); break;
     case Format::Gltf: scene = ReadGltfScene(path, options, warn); break;

@@ -71,6 +71,8 @@ GltfNodes::GltfNodes(GltfData& data, std::optional<double> time)
   FindParents();
   if (time) {
     Animate(data, *time, states_);
+    if (document_.model.animations.empty())
+      document_.findings.Note("there are no animations: the time changes nothing");
   } else if (!document_.model.animations.empty()) {
     document_.findings.Note("animations are not played; everything is shown at rest");
   }
