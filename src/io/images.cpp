@@ -91,8 +91,8 @@ scene::Image DecodeTexels(std::string_view bytes, const std::string& name, Image
   }
 }
 
-ImageLoader::ImageLoader(fs::path root, WarningSink warn)
-    : finder_(std::move(root)), warn_(std::move(warn)) {}
+ImageLoader::ImageLoader(std::vector<fs::path> roots, WarningSink warn)
+    : finder_(std::move(roots)), warn_(std::move(warn)) {}
 
 scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, ImageUse use,
                                     const Place& place, const fs::path& folder) {

@@ -33,10 +33,10 @@ scene::Image DecodeTexels(std::string_view bytes, const std::string& name, Image
 
 class ImageLoader {
  public:
-  // Reads files in the folder `root` and in folders within it only.
-  ImageLoader(std::filesystem::path root, WarningSink warn);
+  // Reads files in these folders and in folders within them only; the first is the asset's own.
+  ImageLoader(std::vector<std::filesystem::path> roots, WarningSink warn);
 
-  // The picture that `name`, as written in a file in `folder` (or in the root), refers to: its index in
+  // The picture that `name`, as written in a file in `folder` (or in one of the roots), refers to: its index in
   // scene.images, of which this loader's must not be removed. -1 after a warning if the file is missing or
   // cannot be read; the warning comes once for each file.
   scene::ImageIndex Load(scene::Scene& scene, std::string_view name, ImageUse use,

@@ -27,6 +27,11 @@ std::string ReadFile(const std::filesystem::path& path, std::uint64_t limit = De
 std::filesystem::path ConfinedPath(const std::filesystem::path& root,
                                    const std::filesystem::path& fromFolder, std::string_view name);
 
+// The same for several folders, of which the first is the scene's own. In the others files may also be named
+// by absolute paths.
+std::filesystem::path ConfinedPath(const std::vector<std::filesystem::path>& roots,
+                                   const std::filesystem::path& fromFolder, std::string_view name);
+
 // A file that appears under its name only when it is complete: written to "NAME.partial-PID" in the
 // same folder, flushed to disk and renamed by Commit(); removed if the writer is destroyed before. A
 // symbolic link stays one, what it leads to is replaced. What is no regular file, such as a device or a

@@ -78,7 +78,7 @@ class Preparation {
       std::string bytes;
       if (!uri.empty()) {
         try {
-          bytes = ReadGltfUri(document_.Folder(), uri, DefaultFileLimit);
+          bytes = ReadGltfUri(document_.folders, uri, DefaultFileLimit);
         } catch (const Error& error) {
           const Diagnostic& cause = error.diagnostics().front();
           throw document_.Fault(part, ShortUri(uri) + ": " + cause.message, cause.hint);
@@ -210,9 +210,11 @@ Error GltfDocument::Fault(std::string_view part, std::string_view message, std::
                {path.string()}, std::move(hint));
 }
 
-GltfDocument OpenGltf(const std::filesystem::path& path) {
+GltfDocument OpenGltf(const std::filesystem::path& path,
+                      std::vector<std::filesystem::path> folders) {
   GltfDocument document;
   document.path = path;
+  document.folders = std::move(folders);
   const std::string bytes = ReadFile(path);
   if (bytes.empty()) throw document.Fault("", "the file is empty");
   const GltfContainer container = SplitGltf(bytes, path.string());

@@ -5,6 +5,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "io/gltf/materials.h"
 #include "io/gltf/meshes.h"
@@ -18,11 +19,11 @@ constexpr std::size_t ObjectLimit = 10'000'000;
 
 class GltfSceneReader {
  public:
-  GltfSceneReader(const GltfDocument& document, std::optional<double> time)
+  GltfSceneReader(const GltfDocument& document, const ReadOptions& options)
       : document_(document),
         data_(document),
-        nodes_(data_, time),
-        meshes_(data_, scene_),
+        nodes_(data_, options.time, options.scene),
+        meshes_(data_, scene_, options.variant),
         materials_(data_, scene_) {}
 
   scene::Scene Read() {
@@ -86,13 +87,13 @@ class GltfSceneReader {
 
 }  // namespace
 
-scene::Scene ReadGltf(const std::filesystem::path& path, std::optional<double> time,
-                      const WarningSink& warn) {
+Contents ReadGltf(const std::filesystem::path& path, const ReadOptions& options,
+                  const WarningSink& warn) {
   try {
-    const GltfDocument document = OpenGltf(path);
-    scene::Scene scene = GltfSceneReader(document, time).Read();
+    const GltfDocument document = OpenGltf(path, FoldersOf(path, options));
+    scene::Scene scene = GltfSceneReader(document, options).Read();
     document.findings.Report(path.string(), warn);
-    return scene;
+    return {std::move(scene), !document.model.animations.empty()};
   } catch (const std::bad_alloc&) {
     throw Error("not enough memory for the scene", {path.string()});
   } catch (const std::length_error&) {

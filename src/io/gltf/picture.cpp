@@ -15,7 +15,7 @@ GltfPicture ReadGltfPicture(const GltfDocument& document, std::string_view viewB
   try {
     std::string loaded;
     if (!source.uri.empty()) {
-      loaded = ReadGltfUri(document.Folder(), source.uri, DefaultFileLimit);
+      loaded = ReadGltfUri(document.folders, source.uri, DefaultFileLimit);
       viewBytes = loaded;
     }
     // The numbers in the file are kept: the use of the texture says what they mean, not the file

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace snell::io {
 
@@ -20,8 +21,8 @@ bool IsDataUri(std::string_view uri);
 std::string DecodeDataUri(std::string_view uri);
 
 // The bytes that a URI stands for. Throws Error if the file is missing, larger than `limit`, or lies
-// outside of `folder`.
-std::string ReadGltfUri(const std::filesystem::path& folder, std::string_view uri,
+// outside of the folders; names are relative to the first one.
+std::string ReadGltfUri(const std::vector<std::filesystem::path>& folders, std::string_view uri,
                         std::uint64_t limit);
 
 // For messages: the URI, or what it is if it holds the data itself.

@@ -23,6 +23,8 @@ struct MeshReadOptions {
   bool ignoreFileNormals = false;
   bool smoothingGroups =
       false;  // of an OBJ file: they count instead of the angle, where there are some
+  // Folders besides the file's own where its materials and pictures may lie.
+  std::vector<std::filesystem::path> folders = {};
   // What a file may demand: its own size, 16 GiB, and the triangles in it, 2^30.
   std::uint64_t maxFileBytes = DefaultFileLimit;
   std::uint64_t maxTriangles = std::uint64_t(1) << 30;

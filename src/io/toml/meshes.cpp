@@ -18,16 +18,16 @@ int MeshLibrary::Add(scene::Mesh mesh) {
   return int(items_.size()) - 1;
 }
 
-int MeshLibrary::Request(const std::filesystem::path& path, float smoothDegrees, bool ignoreNormals,
-                         const Place& place) {
+int MeshLibrary::Request(const std::filesystem::path& path, std::optional<float> smooth,
+                         bool ignoreNormals, const Place& place) {
   std::error_code ignored;
   const auto real = std::filesystem::weakly_canonical(path, ignored);
-  const auto key = std::tuple(real.string(), smoothDegrees, ignoreNormals);
+  const auto key = std::tuple(real.string(), smooth.value_or(-1), ignoreNormals);
   const auto [request, isNew] = requests_.emplace(key, int(items_.size()));
   if (isNew) {
     Item item;
     item.path = path;
-    item.smoothDegrees = smoothDegrees;
+    item.smooth = smooth;
     item.ignoreNormals = ignoreNormals;
     item.place = place;
     files_.push_back(int(items_.size()));
@@ -38,7 +38,8 @@ int MeshLibrary::Request(const std::filesystem::path& path, float smoothDegrees,
 
 void MeshLibrary::LoadFile(Item& item) {
   MeshReadOptions options;
-  options.smoothDegrees = item.smoothDegrees;
+  if (item.smooth) options.smoothDegrees = *item.smooth;
+  options.smoothingGroups = !item.smooth;
   options.ignoreFileNormals = item.ignoreNormals;
   try {
     item.meshes = ReadMesh(item.path, options,

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -21,9 +22,9 @@ class MeshLibrary {
   // A mesh that is here already. Returns its number in the library.
   int Add(scene::Mesh mesh);
 
-  // A file to load; `smoothDegrees` and `ignoreNormals` as in read_mesh.h, `place` is where it is named
-  // first. Returns the file's number in the library.
-  int Request(const std::filesystem::path& path, float smoothDegrees, bool ignoreNormals,
+  // A file to load; without `smooth`, an angle in degrees, smoothing groups count first. `place` is where it is
+  // named first. Returns the file's number in the library.
+  int Request(const std::filesystem::path& path, std::optional<float> smooth, bool ignoreNormals,
               const Place& place);
 
   // Load all files and move all meshes to `meshes`. Returns what went wrong, at the places of the requests.
@@ -39,7 +40,7 @@ class MeshLibrary {
  private:
   struct Item {
     std::filesystem::path path;
-    float smoothDegrees = 0;
+    std::optional<float> smooth;
     bool ignoreNormals = false;
     Place place;
     std::vector<scene::Mesh> meshes;

@@ -191,7 +191,7 @@ std::string LinkTo(const std::string& heading) {
   return fmt::format("[{}](#{})", heading, anchor);
 }
 
-std::string Contents() {
+std::string TableOfContents() {
   std::string text = "Contents: " + LinkTo("Values");
   for (const Section* section : AllSections()) text += ", " + LinkTo(TitleOf(*section));
   return text + ", " + LinkTo("Ready materials") + ".\n\n";
@@ -213,7 +213,7 @@ std::string PresetTable() {
 
 std::string SceneReferenceMarkdown() {
   std::string page = Introduction;
-  page += Contents();
+  page += TableOfContents();
   page += Values;
   for (const Section* section : AllSections()) page += SectionText(*section);
   return page + PresetTable();
