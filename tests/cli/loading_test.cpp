@@ -60,9 +60,8 @@ TEST_F(Loading, TimeMovesWhatAnimationsMove) {
 TEST_F(Loading, TimeIsSaidToChangeNothingWithoutAnimations) {
   ExpectHas(Run({"check", "still.gltf", "--time", "1"}).err,
             "snell: warning: still.gltf: there are no animations: the time changes nothing\n");
-  ExpectHas(
-      Run({"check", "spheres.nff", "--time", "1"}).err,
-      "snell: warning: spheres.nff: the time is for animations, which only glTF files have\n");
+  ExpectHas(Run({"check", "spheres.nff", "--time", "1"}).err,
+            "snell: warning: spheres.nff: there are no animations: the time changes nothing\n");
   EXPECT_EQ(Run({"check", "still.gltf", "--time", "noon"}).status, 2);
 }
 
