@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "api/snell.h"
 
@@ -15,6 +16,8 @@ struct LoadArguments {
   std::optional<std::string> up;  // "y" or "z"
   std::optional<float> smooth;
   std::optional<float> time;
+  std::vector<std::string> folders;
+  std::vector<std::string> limits;  // "NAME=VALUE"
 };
 
 // Declare the options. `arguments` must live until the command line has been parsed.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ namespace scene {
 struct Scene;
 }
 
+// What a file may demand before it is refused, and how much that is without a word.
+struct LoadLimit {
+  std::string name;  // "file-bytes"
+  std::string text;  // one line
+  std::uint64_t value = 0;
+};
+SNELL_EXPORT std::vector<LoadLimit> KnownLoadLimits();
+
 // How to open a file.
 struct LoadOptions {
   WarningSink warn = {};  // receives what was repaired or is doubtful
@@ -28,6 +37,9 @@ struct LoadOptions {
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
   std::optional<double> time =
       {};  // seconds, of a glTF file's animations; without it everything is at rest
+  // Folders that files may be read from besides the scene's own
+  std::vector<std::filesystem::path> folders = {};
+  std::map<std::string, std::uint64_t> limits = {};  // other values of known limits
 };
 
 // An opened scene, ready to render. Copies share the same contents, which do not change.

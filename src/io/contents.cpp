@@ -22,6 +22,7 @@ static scene::Scene ReadMeshFile(const std::filesystem::path& path, const ReadOp
   meshOptions.smoothingGroups = !options.smooth;
   meshOptions.ignoreFileNormals = options.ignoreNormals;
   meshOptions.folders = options.folders;
+  meshOptions.limits = options.limits;
   if (LowerExtension(path) == "obj") return ReadObjScene(path, meshOptions, warn);
 
   scene::Scene scene;
@@ -52,7 +53,7 @@ Contents ReadContents(const std::filesystem::path& path, const ReadOptions& opti
   switch (FormatOf(path)) {
     case Format::Toml: return ReadToml(path, options, warn);
     case Format::Gltf: return ReadGltf(path, options, warn);
-    case Format::Nff: return {ReadNff(path, warn)};
+    case Format::Nff: return {ReadNff(path, warn, options.limits)};
     case Format::Mesh: return {ReadMeshFile(path, options, warn)};
     case Format::Unknown: break;
   }

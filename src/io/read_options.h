@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "io/read_limits.h"
+
 namespace snell::io {
 
 // What files that include each other share while they are read.
@@ -34,6 +36,7 @@ struct ReadOptions {
   std::string scene = {};           // by name; empty: the file's default
   std::string variant = {};         // of the materials; empty: the default ones
 
+  ReadLimits limits = {};
   // Folders that files may be read from besides the file's own.
   std::vector<std::filesystem::path> folders = {};
   std::shared_ptr<Inclusion> inclusion = {};  // null: the file is opened by itself

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "util/error.h"
 
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 static std::string Reason() { return std::strerror(errno); }
 
-std::string ReadFile(const fs::path& path, std::uint64_t limit) {
+std::string ReadFile(const fs::path& path, std::uint64_t limit, std::string hint) {
   // Opening a pipe would wait for its writer
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
@@ -37,7 +38,7 @@ std::string ReadFile(const fs::path& path, std::uint64_t limit) {
   if (!S_ISREG(status.st_mode)) throw Error("not a regular file", {path.string()});
   if (std::uint64_t(status.st_size) > limit)
     throw Error(fmt::format("the file has {} bytes; the limit is {}", status.st_size, limit),
-                {path.string()});
+                {path.string()}, std::move(hint));
 
   std::string bytes(std::size_t(status.st_size), '\0');
   std::size_t filled = 0;
@@ -65,7 +66,8 @@ static bool LiesIn(const fs::path& folder, const fs::path& realPath) {
 fs::path ConfinedPath(const std::vector<fs::path>& roots, const fs::path& fromFolder,
                       std::string_view name) {
   static constexpr const char* Hint =
-      "files are read only from the scene's own folder and the folders in it";
+      "files are read only from the scene's own folder and the folders in it; --allow FOLDER adds "
+      "others";
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
   if (portable.empty()) throw Error("the file name is empty");

@@ -18,8 +18,9 @@ namespace snell {
 inline constexpr std::uint64_t DefaultFileLimit = std::uint64_t(16) << 30;
 
 // The whole file as bytes. Throws Error if it cannot be read, is no regular file or is larger than
-// `limit` bytes.
-std::string ReadFile(const std::filesystem::path& path, std::uint64_t limit = DefaultFileLimit);
+// `limit` bytes; then `hint` says what may help.
+std::string ReadFile(const std::filesystem::path& path, std::uint64_t limit = DefaultFileLimit,
+                     std::string hint = {});
 
 // The path of the file that `name`, as written in `from`'s folder, refers to. Backslashes count as
 // slashes. Throws Error (without a place) if the name is absolute or leads out of `root`, also by a

@@ -58,7 +58,7 @@ TEST_F(Documents, EachCommandHasAPage) {
             (std::set<std::string>{"--output", "--bits", "--float", "--quality", "--exposure",
                                    "--size", "--crop", "--camera", "--spp", "--samples",
                                    "--integrator", "--max-depth", "--min-contribution", "--up",
-                                   "--smooth", "--time", "--threads", "--quiet", "--stats", "--help"}));
+                                   "--smooth", "--time", "--allow", "--limit", "--threads", "--quiet", "--stats", "--help"}));
 }
 
 TEST_F(Documents, TheReadmesSceneIsRight) {

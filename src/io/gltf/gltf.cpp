@@ -15,8 +15,6 @@
 namespace snell::io {
 namespace {
 
-constexpr std::size_t ObjectLimit = 10'000'000;
-
 class GltfSceneReader {
  public:
   GltfSceneReader(const GltfDocument& document, const ReadOptions& options)
@@ -64,9 +62,10 @@ class GltfSceneReader {
   }
 
   void AddObject(const GltfMeshes::Part& from, int node, const glm::dmat4& toWorld) {
-    if (scene_.objects.size() >= ObjectLimit)
-      throw document_.Fault("",
-                            fmt::format("it shows more than {}", Plural(ObjectLimit, "object")));
+    const std::uint64_t limit = document_.limits.objects;
+    if (scene_.objects.size() >= limit)
+      throw document_.Fault("", fmt::format("it shows more than {}", Plural(limit, "object")),
+                            LiftedBy(&ReadLimits::objects));
     scene::Object object;
     object.name = document_.model.nodes[std::size_t(node)].name;
     if (object.name.empty()) object.name = scene_.meshes[std::size_t(from.mesh)].name;
@@ -90,7 +89,7 @@ class GltfSceneReader {
 Contents ReadGltf(const std::filesystem::path& path, const ReadOptions& options,
                   const WarningSink& warn) {
   try {
-    const GltfDocument document = OpenGltf(path, FoldersOf(path, options));
+    const GltfDocument document = OpenGltf(path, options);
     scene::Scene scene = GltfSceneReader(document, options).Read();
     document.findings.Report(path.string(), warn);
     return {std::move(scene), !document.model.animations.empty()};

@@ -12,8 +12,6 @@
 
 namespace snell::io {
 
-static constexpr std::size_t TriangleLimit = std::size_t(1) << 28;  // of a file
-
 static constexpr const char* VariantsExtension = "KHR_materials_variants";
 
 GltfMeshes::GltfMeshes(GltfData& data, scene::Scene& scene, const std::string& variant)
@@ -78,7 +76,8 @@ std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation&
     const tinygltf::Primitive& primitive = mesh.primitives[i];
     const std::string part =
         mesh.primitives.size() > 1 ? fmt::format("{}, primitive {}", name, i) : name;
-    auto read = ReadGltfPrimitive(data_, primitive, deformation, TriangleLimit - triangles_, part);
+    auto read = ReadGltfPrimitive(data_, primitive, deformation,
+                                  document.limits.triangles - triangles_, part);
     if (!read) continue;
     triangles_ += read->triangles.size();
     read->name = mesh.name.empty() ? part : mesh.name;

@@ -21,10 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// More is no scene.
-constexpr std::size_t MaxMaterials = 65536;
-constexpr std::uint64_t MaxLibraryBytes = std::uint64_t(1) << 28;
-
 // The single names of "one.mtl my other.mtl": each goes up to its extension.
 std::vector<std::string> SplitNames(std::string_view names) {
   std::vector<std::string> split;
@@ -68,7 +64,8 @@ class LibraryReader {
       return;
     }
     if (!seen_.insert(path->string()).second) return;
-    ReadMtl(ReadFile(*path, MaxLibraryBytes), path->string(), materials_, findings_);
+    ReadMtl(ReadWithin(*path, file_.options.limits, &ReadLimits::mtlBytes), path->string(),
+            materials_, findings_);
   }
 
   const MeshFile& file_;
@@ -87,8 +84,10 @@ std::vector<scene::MaterialIndex> ReadObjMaterials(const ObjParts& parts, const 
   MtlMaterials materials;
   for (const ObjPart& part : parts.parts())
     if (part.material != 0) materials.try_emplace(parts.NameOf(part.material));
-  if (materials.size() > MaxMaterials)
-    throw Error(fmt::format("more than {} materials", MaxMaterials), file.AtLine(0));
+  const ReadLimits& limits = file.options.limits;
+  if (materials.size() > limits.materials)
+    throw Error(fmt::format("more than {} materials", limits.materials), file.AtLine(0),
+                LiftedBy(&ReadLimits::materials));
   Findings findings;
   std::vector<fs::path> folders = {fs::path(file.name).parent_path()};
   folders.insert(folders.end(), file.options.folders.begin(), file.options.folders.end());
@@ -97,7 +96,7 @@ std::vector<scene::MaterialIndex> ReadObjMaterials(const ObjParts& parts, const 
   for (const ObjLibraries& libraries : parts.libraries()) reader.Read(libraries);
 
   // Make materials in the order of their first use
-  ImageLoader images(std::move(folders), file.warn);
+  ImageLoader images(std::move(folders), file.warn, limits);
   MtlConverter converter(scene, images, findings);
   std::unordered_map<std::uint32_t, scene::MaterialIndex> indexOf;
   std::vector<scene::MaterialIndex> indices;

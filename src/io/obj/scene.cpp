@@ -138,7 +138,7 @@ void ScaleBumps(scene::Scene& scene) {
 
 scene::Scene ReadObjects(const std::filesystem::path& path, const MeshReadOptions& options,
                          const WarningSink& warn) {
-  MeshFile file{path.string(), ReadFile(path, options.maxFileBytes), options, warn};
+  MeshFile file{path.string(), ReadWithin(path, options.limits), options, warn};
   ObjFile obj = ReadObjFile(file);
   file.bytes = std::string();
   std::vector<FaceRun> runs;

@@ -68,7 +68,8 @@ class DocumentReader {
   explicit DocumentReader(Reader& reader) : reader_(reader) {}
 
   void AddFile(const fs::path& path) {
-    const std::string text = ReadFile(path, MaxTomlBytes - reader_.inclusion->bytes);
+    const std::string text =
+        ReadWithin(path, reader_.limits, &ReadLimits::tomlBytes, reader_.inclusion->bytes);
     reader_.inclusion->bytes += text.size();
     reader_.files.push_back(path.string());
     document.files.push_back(ParseToml(text, path.string()));

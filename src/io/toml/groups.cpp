@@ -42,7 +42,7 @@ class GroupCounter {
     std::uint64_t count = group.lights.size();
     for (const Member& member : group.members) {
       if (member.group >= 0 && !Visit(member.group, depth + 1, member.object.place)) return false;
-      count = std::min(count + CountOf(member), MaxPlacedThings + 1);
+      count = std::min(count + CountOf(member), reader_.limits.objects + 1);
     }
     counts_[std::size_t(index)] = count;
     state = State::Done;
@@ -58,14 +58,14 @@ class GroupCounter {
   }
 
   bool Fits() {
-    if (counts_[0] <= MaxPlacedThings) return true;
+    if (counts_[0] <= reader_.limits.objects) return true;
     return Fail(fmt::format("with all groups placed the scene has more than {} objects and lights",
-                            WithCommas(MaxPlacedThings)),
-                groups_[0].place);
+                            WithCommas(reader_.limits.objects)),
+                groups_[0].place, LiftedBy(&ReadLimits::objects));
   }
 
-  bool Fail(std::string message, const Place& place) {
-    reader_.Report(std::move(message), place);
+  bool Fail(std::string message, const Place& place, std::string hint = {}) {
+    reader_.Report(std::move(message), place, std::move(hint));
     return false;
   }
 

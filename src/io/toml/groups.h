@@ -12,9 +12,8 @@
 
 namespace snell::io {
 
-// Groups within groups, and what all placements together may come to.
+// Groups within groups.
 inline constexpr int MaxGroupDepth = 64;
-inline constexpr std::uint64_t MaxPlacedThings = 10'000'000;
 
 // An object as its table says: a shape, meshes of the library, a placed group, or a file with all
 // that it holds.

@@ -10,7 +10,6 @@
 #include "io/append.h"
 #include "io/format.h"
 #include "io/gltf/gltf.h"
-#include "io/toml/groups.h"
 #include "io/toml/reader.h"
 #include "util/text.h"
 
@@ -40,9 +39,10 @@ bool InclusionLibrary::MayRead(Reader& reader, const Item& item, const std::stri
   } else if (inclusion.open.size() > MaxInclusionDepth) {
     reader.Report(fmt::format("files are included more than {} deep", MaxInclusionDepth),
                   item.place);
-  } else if (++inclusion.files > MaxInclusions) {
-    reader.Report(fmt::format("more than {} files are included", WithCommas(MaxInclusions)),
-                  item.place);
+  } else if (++inclusion.files > reader.limits.includes) {
+    reader.Report(
+        fmt::format("more than {} files are included", WithCommas(reader.limits.includes)),
+        item.place, LiftedBy(&ReadLimits::includes));
   } else {
     return true;
   }
@@ -54,6 +54,7 @@ void InclusionLibrary::Read(Reader& reader, Item& item, const WarningSink& warn)
   ReadOptions options = item.options;
   const bool ownTime = options.time.has_value();
   if (!ownTime) options.time = reader.time;
+  options.limits = reader.limits;
   options.folders = reader.folders;
   options.inclusion = reader.inclusion;
   try {
@@ -75,10 +76,10 @@ void InclusionLibrary::Read(Reader& reader, Item& item, const WarningSink& warn)
 
   scene::Scene& scene = item.contents.scene;
   inclusion.things += scene.objects.size() + scene.lights.size();
-  if (inclusion.things > MaxPlacedThings)
+  if (inclusion.things > reader.limits.objects)
     reader.Report(fmt::format("the included files have more than {} objects and lights",
-                              WithCommas(MaxPlacedThings)),
-                  item.place);
+                              WithCommas(reader.limits.objects)),
+                  item.place, LiftedBy(&ReadLimits::objects));
   if (ownTime && !item.contents.animated)
     reader.Warn(fmt::format("{} has no animations: the time changes nothing",
                             QuotedName(item.path.filename().string())),

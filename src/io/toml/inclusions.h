@@ -17,9 +17,8 @@ namespace snell::io {
 
 class Reader;
 
-// Scenes may take in scenes this deep, and this many.
+// Scenes may take in scenes this deep.
 inline constexpr std::size_t MaxInclusionDepth = 16;
-inline constexpr std::uint64_t MaxInclusions = 10'000;
 
 class InclusionLibrary {
  public:

@@ -36,8 +36,9 @@ int MeshLibrary::Request(const std::filesystem::path& path, std::optional<float>
   return request->second;
 }
 
-void MeshLibrary::LoadFile(Item& item) {
+void MeshLibrary::LoadFile(Item& item, const ReadLimits& limits) {
   MeshReadOptions options;
+  options.limits = limits;
   if (item.smooth) options.smoothDegrees = *item.smooth;
   options.smoothingGroups = !item.smooth;
   options.ignoreFileNormals = item.ignoreNormals;
@@ -54,9 +55,9 @@ void MeshLibrary::LoadFile(Item& item) {
 }
 
 std::vector<Diagnostic> MeshLibrary::Load(std::vector<scene::Mesh>& meshes,
-                                          const WarningSink& warn) {
-  ParallelInOrder(files_.size(), [this](std::uint64_t i, int) {
-    LoadFile(items_[std::size_t(files_[std::size_t(i)])]);
+                                          const ReadLimits& limits, const WarningSink& warn) {
+  ParallelInOrder(files_.size(), [&](std::uint64_t i, int) {
+    LoadFile(items_[std::size_t(files_[std::size_t(i)])], limits);
   });
 
   // Collect in the order of the scene, whatever was ready first

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "io/read_limits.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
@@ -28,7 +29,8 @@ class MeshLibrary {
               const Place& place);
 
   // Load all files and move all meshes to `meshes`. Returns what went wrong, at the places of the requests.
-  std::vector<Diagnostic> Load(std::vector<scene::Mesh>& meshes, const WarningSink& warn);
+  std::vector<Diagnostic> Load(std::vector<scene::Mesh>& meshes, const ReadLimits& limits,
+                               const WarningSink& warn);
 
   // After Load: the meshes of a number, a range of indices.
   struct Range {
@@ -49,7 +51,7 @@ class MeshLibrary {
     Range range;
   };
 
-  static void LoadFile(Item& item);
+  static void LoadFile(Item& item, const ReadLimits& limits);
 
   std::vector<Item> items_;
   std::vector<int> files_;  // the items that are to be loaded

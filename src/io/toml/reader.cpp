@@ -18,7 +18,8 @@ static constexpr std::size_t MaxKeptFindings = 10'000;
 static constexpr std::size_t MaxQuoted = 60;
 
 Reader::Reader(const fs::path& sceneFile, const ReadOptions& options)
-    : inclusion(options.inclusion ? options.inclusion : std::make_shared<Inclusion>()),
+    : limits(options.limits),
+      inclusion(options.inclusion ? options.inclusion : std::make_shared<Inclusion>()),
       folders(FoldersOf(sceneFile, options)),
       time(options.time) {
   scene.name = sceneFile.filename().string();

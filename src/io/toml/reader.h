@@ -56,6 +56,7 @@ class Reader {
   scene::Scene scene;
   MeshLibrary meshes;
   InclusionLibrary inclusions;
+  ReadLimits limits;
   std::shared_ptr<Inclusion> inclusion;        // never null
   std::vector<std::filesystem::path> folders;  // that may be read from, the scene's first
   std::optional<double> time;                  // for animations of included files

@@ -32,7 +32,7 @@ class SceneReader {
     reader_.ThrowFindings();
 
     // Large files are loaded only when the rest is known to be right
-    for (Diagnostic& error : reader_.meshes.Load(reader_.scene.meshes, warn))
+    for (Diagnostic& error : reader_.meshes.Load(reader_.scene.meshes, reader_.limits, warn))
       reader_.Report(std::move(error.message), std::move(error.place), std::move(error.hint));
     reader_.inclusions.Load(reader_, warn);
     for (Group& group : groups_)
