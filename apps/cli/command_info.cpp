@@ -81,9 +81,9 @@ std::string InfoText(const SceneInfo& info) {
   text += ListText("textures", info.textures);
   text += ListText("meshes", info.meshes);
   text += ObjectsText(info) + BoundsText(info);
-  return text + fmt::format("  memory     scene {}, BVH {}; built in {}\n",
-                            ByteSize(info.sceneBytes), ByteSize(info.bvhBytes),
-                            Duration(info.buildSeconds));
+  return text + fmt::format("  memory     scene {}, textures {}, BVH {}; built in {}\n",
+                            ByteSize(info.sceneBytes), ByteSize(info.textureBytes),
+                            ByteSize(info.bvhBytes), Duration(info.buildSeconds));
 }
 
 void AddItems(JsonWriter& json, const char* name, const std::vector<SceneInfo::Item>& items) {
@@ -129,6 +129,7 @@ std::string InfoJson(const SceneInfo& info) {
   }
   json.BeginObject("bytes");
   json.Add("scene", info.sceneBytes);
+  json.Add("textures", info.textureBytes);
   json.Add("bvh", info.bvhBytes);
   json.End();
   json.Add("build_seconds", info.buildSeconds);

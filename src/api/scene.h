@@ -85,7 +85,9 @@ struct SceneInfo {
   bool bounded = false;                  // whether the box below holds anything
   std::array<double, 3> lower{};
   std::array<double, 3> upper{};
-  std::uint64_t sceneBytes = 0;  // once prepared for rendering
+  // Once prepared for rendering
+  std::uint64_t sceneBytes = 0;    // without textures
+  std::uint64_t textureBytes = 0;  // with their pictures
   std::uint64_t bvhBytes = 0;
   double buildSeconds = 0;
 };
