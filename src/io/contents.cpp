@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "io/assimp/assimp.h"
 #include "io/format.h"
 #include "io/gltf/gltf.h"
 #include "io/mesh/read_mesh.h"
@@ -55,6 +56,7 @@ Contents ReadContents(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Gltf: return ReadGltf(path, options, warn);
     case Format::Nff: return {ReadNff(path, warn, options.limits)};
     case Format::Mesh: return {ReadMeshFile(path, options, warn)};
+    case Format::Other: return ReadAssimp(path, options, warn);
     case Format::Unknown: break;
   }
   Refuse(path);

@@ -11,9 +11,13 @@ Format FormatOf(const std::filesystem::path& path) {
   if (extension == "gltf" || extension == "glb") return Format::Gltf;
   if (extension == "nff") return Format::Nff;
   if (extension == "obj" || extension == "ply" || extension == "stl") return Format::Mesh;
+  for (const char* other : {"dae", "fbx", "3ds", "off", "ac", "x"})
+    if (extension == other) return Format::Other;
   return Format::Unknown;
 }
 
-std::string KnownFormats() { return "toml, gltf, glb, nff, obj, ply, stl"; }
+std::string KnownFormats() {
+  return "toml, gltf, glb, nff, obj, ply, stl, dae, fbx, 3ds, off, ac, x";
+}
 
 }  // namespace snell::io

@@ -8,12 +8,12 @@
 
 namespace snell::io {
 
-enum class Format { Toml, Gltf, Nff, Mesh, Unknown };
+enum class Format { Toml, Gltf, Nff, Mesh, Other, Unknown };
 
 // By the file's extension.
 Format FormatOf(const std::filesystem::path& path);
 
-// "toml, gltf, glb, nff, obj, ply, stl", for messages.
+// "toml, gltf, glb, nff, obj, ply, stl …", for messages.
 std::string KnownFormats();
 
 }  // namespace snell::io

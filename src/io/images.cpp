@@ -109,7 +109,10 @@ scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, 
 // The picture of a name that was not asked for before; its file may have been, by another name.
 scene::ImageIndex ImageLoader::LoadFirst(scene::Scene& scene, const fs::path& folder,
                                          std::string_view name, ImageUse use, const Place& place) {
-  const std::optional<fs::path> path = finder_.Find(folder, name);
+  const auto provided = provided_.find(name);
+  const bool isProvided = provided != provided_.end();
+  const std::optional<fs::path> path =
+      isProvided ? fs::path(provided->first) : finder_.Find(folder, name);
   if (!path) {
     if (missing_.emplace(name).second)
       Warn(fmt::format("the picture {} is not found in the scene's folder", Quoted(name)), place);
@@ -117,13 +120,16 @@ scene::ImageIndex ImageLoader::LoadFirst(scene::Scene& scene, const fs::path& fo
   }
 
   std::error_code ignored;
-  const std::string real = fs::weakly_canonical(*path, ignored).string();
+  const std::string real =
+      isProvided ? "embedded:" + provided->first : fs::weakly_canonical(*path, ignored).string();
   const auto [entry, isNew] = loaded_.try_emplace({real, use}, -1);
   if (!isNew) return entry->second;
   if (scene.images.size() >= limits_.pictures)
     throw Error("too many pictures", place, LiftedBy(&ReadLimits::pictures));
   try {
-    scene::Image texels = DecodeTexels(ReadWithin(*path, limits_), path->string(), use, limits_);
+    scene::Image texels =
+        isProvided ? DecodeTexels(provided->second, path->string(), use, limits_)
+                   : DecodeTexels(ReadWithin(*path, limits_), path->string(), use, limits_);
     texels_ += std::uint64_t(texels.width) * std::uint64_t(texels.height);
     if (texels_ > limits_.pixels)
       throw Error("all pictures together are too large", {path->string()},

@@ -42,6 +42,9 @@ class ImageLoader {
   // Reads files in these folders and in folders within them only; the first is the asset's own.
   ImageLoader(std::vector<std::filesystem::path> roots, WarningSink warn, ReadLimits limits = {});
 
+  // A picture that an asset brings itself under this name; the bytes must live as long as they are asked for.
+  void Provide(const std::string& name, std::string_view bytes) { provided_[name] = bytes; }
+
   // The picture that `name`, as written in a file in `folder` (or in one of the roots), refers to: its index in
   // scene.images, of which this loader's must not be removed. -1 after a warning if the file is missing or
   // cannot be read; the warning comes once for each file.
@@ -60,7 +63,8 @@ class ImageLoader {
   std::uint64_t texels_ = 0;
   std::map<std::tuple<std::string, std::string, ImageUse>, scene::ImageIndex> named_;  // by folder
   std::map<std::pair<std::string, ImageUse>, scene::ImageIndex> loaded_;               // by path
-  std::set<std::string> missing_;                                                      // names
+  std::map<std::string, std::string_view, std::less<>> provided_;
+  std::set<std::string> missing_;  // names
 };
 
 }  // namespace snell::io

@@ -65,6 +65,10 @@ scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& opt
   if (format == Format::Gltf) SetUpGltf(scene);
   if (format == Format::Mesh)
     SetUpMeshes(scene, options.zUp.value_or(LowerExtension(path) == "stl"));
+  if (format == Format::Other) {
+    GiveMaterials(scene);
+    if (scene.lights.empty()) scene::AddStudio(scene);
+  }
   scene.name = path.string();
   scene::Validate(scene, warn);
   return std::move(scene);

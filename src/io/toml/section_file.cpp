@@ -21,6 +21,7 @@ Role RoleOf(const std::filesystem::path& file) {
   switch (FormatOf(file)) {
     case Format::Gltf: return Role::Gltf;
     case Format::Toml:
+    case Format::Other:
     case Format::Nff: return Role::Scene;
     default: return LowerExtension(file) == "obj" ? Role::ObjMesh : Role::Mesh;
   }
