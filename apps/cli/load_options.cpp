@@ -26,6 +26,9 @@ void WarnOfMeshOptions(const std::string& scene, const LoadArguments& arguments,
       extension == "toml" || extension == "nff" || extension == "gltf" || extension == "glb";
   if ((arguments.up || arguments.smooth) && isScene)
     warn({"--up and --smooth are for mesh files and change nothing here", {scene}});
+  const bool isMesh = extension == "obj" || extension == "ply" || extension == "stl";
+  if (arguments.up && !isScene && !isMesh)
+    warn({"--up is for OBJ, PLY and STL files and changes nothing here", {scene}});
 }
 
 struct Setting {

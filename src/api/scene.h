@@ -55,11 +55,11 @@ class SNELL_EXPORT Scene {
   std::shared_ptr<const scene::Scene> contents_;
 };
 
-// Open a scene (.toml, .gltf, .glb, .nff) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
+// Open a scene (.toml, .gltf, .glb, .nff, …) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
 // without a camera gets one that shows everything. Throws Error with every mistake that was found.
 SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 
-// "toml, gltf, glb, nff, obj, ply, stl", for messages.
+// "toml, gltf, glb, nff, obj, ply, stl …", for messages.
 SNELL_EXPORT std::string KnownSceneExtensions();
 
 // What is in a scene.

@@ -263,5 +263,29 @@ TEST(TomlInclusion, ReadsNothingOutsideOfTheScenesFolder) {
   EXPECT_EQ(images("/etc/secret2.png"), 0u);
 }
 
+// Every model of the shared assets holds as much in a scene as alone.
+TEST(TomlInclusion, TakesInTheAssets) {
+  const std::filesystem::path assets = "/work/shared/assets/gltf";
+  if (!std::filesystem::is_directory(assets)) GTEST_SKIP() << "no folder " << assets;
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(assets)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".gltf" && extension != ".glb") continue;
+    TestScene file("[[object]]\nfile = \"" + entry.path().string() + "\"\nscale = 2\n");
+    file.options.folders = {assets};
+    std::size_t objects = 0;
+    try {
+      objects = ReadGltf(entry.path(), {}, {}).scene.objects.size();
+    } catch (const Error&) {
+      EXPECT_FALSE(file.Errors().empty()) << entry.path();
+      continue;
+    }
+    ++count;
+    EXPECT_EQ(file.Errors(), Lines()) << entry.path();
+    EXPECT_EQ(file.Read().objects.size(), objects) << entry.path();
+  }
+  EXPECT_GT(count, 20);
+}
+
 }  // namespace
 }  // namespace snell::io
