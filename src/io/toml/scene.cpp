@@ -152,16 +152,29 @@ class SceneReader {
   std::vector<Group> groups_;
 };
 
+// Says that a file is being read while it lives.
+class OpenScope {
+ public:
+  OpenScope(Inclusion& inclusion, const std::filesystem::path& path) : inclusion_(inclusion) {
+    std::error_code ignored;
+    inclusion_.open.push_back(std::filesystem::weakly_canonical(path, ignored).string());
+  }
+  ~OpenScope() { inclusion_.open.pop_back(); }
+  OpenScope(const OpenScope&) = delete;
+  OpenScope& operator=(const OpenScope&) = delete;
+
+ private:
+  Inclusion& inclusion_;
+};
+
 }  // namespace
 
 Contents ReadToml(const std::filesystem::path& path, const ReadOptions& options,
                   const WarningSink& warn) {
   Reader reader(path, options);
-  std::error_code ignored;
-  reader.inclusion->open.push_back(std::filesystem::weakly_canonical(path, ignored).string());
+  const OpenScope scope(*reader.inclusion, path);
   const Document document = ReadDocument(reader, path);
   SceneReader(reader, document).Read(warn);
-  reader.inclusion->open.pop_back();
   return {std::move(reader.scene), reader.animated};
 }
 
