@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Any file that Snell opens becomes a scene: native scenes and NFF as they are; bare meshes, and glTF without
+// Any file that Snell opens becomes a scene: native scenes and NFF as they are; bare meshes, and others without
 // lights, set into a studio (scene/framing.h).
 #pragma once
 
