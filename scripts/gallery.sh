@@ -13,7 +13,7 @@ scenes=scenes/gallery pictures=docs/images/gallery page=docs/gallery.md
 snell=${SNELL:-./snell}
 
 # Each line is a group and its scenes, in the order of a first course.
-groups='Shapes: sphere plane triangle shapes mesh subdivision displacement textures
+groups='Shapes: sphere plane triangle shapes mesh subdivision displacement models textures
 Shading: ambient diffuse specular phong
 Light: light_directional light_point light_spot falloff light_colors
 Shadows: shadows_hard shadows_soft shadows_blending

@@ -6,6 +6,7 @@
 #include "api/snell.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/load_options.h"
 #include "cli/values.h"
 #include "util/text.h"
 
@@ -19,17 +20,17 @@ constexpr const char* Details =
 
 struct CheckArguments {
   std::vector<std::string> scenes;
+  LoadArguments load;
 };
 
-bool CheckScene(const std::string& scene) {
+bool CheckScene(const std::string& scene, const LoadArguments& arguments) {
   std::uint64_t warnings = 0;
-  LoadOptions options;
-  options.warn = [&](const Diagnostic& warning) {
+  const auto warn = [&](const Diagnostic& warning) {
     ++warnings;
     PrintWarning(warning);
   };
   try {
-    LoadScene(scene, options);
+    Load(scene, arguments, warn);
   } catch (const Error& error) {
     PrintError(error);
     return false;
@@ -41,7 +42,8 @@ bool CheckScene(const std::string& scene) {
 
 int RunCheck(const CheckArguments& arguments) {
   bool allRight = true;
-  for (const std::string& scene : arguments.scenes) allRight = CheckScene(scene) && allRight;
+  for (const std::string& scene : arguments.scenes)
+    allRight = CheckScene(scene, arguments.load) && allRight;
   return allRight ? Succeeded : Failed;
 }
 
@@ -53,6 +55,7 @@ void AddCheckCommand(Program& program) {
                                                  Details, arguments, RunCheck);
   AddArguments(command, "SCENE", arguments->scenes,
                "Scenes or meshes (" + KnownSceneExtensions() + ")");
+  AddLoadOptions(command, arguments->load);
 }
 
 }  // namespace snell::cli

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json.h"
+#include "cli/load_options.h"
 #include "cli/values.h"
 #include "util/text.h"
 
@@ -24,6 +25,7 @@ constexpr std::size_t ShownItems = 20;  // of each list, for people
 
 struct InfoArguments {
   std::string scene;
+  LoadArguments load;
   bool json = false;
 };
 
@@ -82,9 +84,9 @@ std::string InfoText(const SceneInfo& info) {
   text += ListText("textures", info.textures);
   text += ListText("meshes", info.meshes);
   text += ObjectsText(info) + BoundsText(info);
-  return text + fmt::format("  memory     scene {}, BVH {}; built in {}\n",
-                            ByteSize(info.sceneBytes), ByteSize(info.bvhBytes),
-                            Duration(info.buildSeconds));
+  return text + fmt::format("  memory     scene {}, textures {}, BVH {}; built in {}\n",
+                            ByteSize(info.sceneBytes), ByteSize(info.textureBytes),
+                            ByteSize(info.bvhBytes), Duration(info.buildSeconds));
 }
 
 void AddItems(JsonWriter& json, const char* name, const std::vector<SceneInfo::Item>& items) {
@@ -131,6 +133,7 @@ std::string InfoJson(const SceneInfo& info) {
   }
   json.BeginObject("bytes");
   json.Add("scene", info.sceneBytes);
+  json.Add("textures", info.textureBytes);
   json.Add("bvh", info.bvhBytes);
   json.End();
   json.Add("build_seconds", info.buildSeconds);
@@ -138,9 +141,7 @@ std::string InfoJson(const SceneInfo& info) {
 }
 
 int RunInfo(const InfoArguments& arguments) {
-  LoadOptions options;
-  options.warn = PrintWarning;
-  const SceneInfo info = Inspect(LoadScene(arguments.scene, options));
+  const SceneInfo info = Inspect(Load(arguments.scene, arguments.load, PrintWarning));
   for (const std::string& warning : info.warnings) PrintWarning({warning, {arguments.scene}});
   PrintOut(arguments.json ? InfoJson(info) : Printable(InfoText(info)));
   return Succeeded;
@@ -156,6 +157,7 @@ void AddInfoCommand(Program& program) {
               "A scene or a mesh (" + KnownSceneExtensions() + ")");
   command.option_defaults()->group("Form");
   AddFlag(command, "--json", arguments->json, "As JSON, with everything in full");
+  AddLoadOptions(command, arguments->load);
 }
 
 }  // namespace snell::cli

@@ -52,25 +52,15 @@ void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& o
   if (!faults.empty()) throw Error(std::move(faults));
 }
 
-void WarnOfMeshOptions(const RenderArguments& arguments, const WarningSink& warn) {
-  const std::string extension = LowerExtension(arguments.scene);
-  const bool isScene =
-      extension == "toml" || extension == "nff" || extension == "gltf" || extension == "glb";
-  if ((arguments.up || arguments.smooth) && isScene)
-    warn({"--up and --smooth are for mesh files and change nothing here", {arguments.scene}});
-}
-
 Scene Load(const RenderArguments& arguments, RenderSummary& summary) {
   ProgressBar bar(StyleOf(arguments));
-  LoadOptions options = LoadOptionsOf(arguments);
-  options.warn = [&](const Diagnostic& warning) {
+  const auto warn = [&](const Diagnostic& warning) {
     summary.warnings.push_back(ToString(warning));
     if (!arguments.quiet) bar.Interrupt([&] { PrintWarning(warning); });
   };
-  WarnOfMeshOptions(arguments, options.warn);
   bar.Begin("loading", 0);
   const Timer timer;
-  Scene scene = LoadScene(arguments.scene, options);
+  Scene scene = cli::Load(arguments.scene, arguments.load, warn);
   summary.loadSeconds = timer.Seconds();
   return scene;
 }

@@ -60,12 +60,6 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
            "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
 }
 
-void AddMeshOptions(CLI::App& command, RenderArguments& a) {
-  AddChoice(command, "--up", "y|z", a.up, "Mesh files: the axis that points up (y; STL: z)");
-  AddValue(command, "--smooth", "DEGREES", Number(0, 180), a.smooth,
-           "Mesh files without normals: shade edges below this angle smoothly; 0: flat");
-}
-
 void AddRunOptions(CLI::App& command, RenderArguments& a) {
   AddValue(
       command, "--threads", "N", WholeNumber(1, MaxThreads), a.threads,
@@ -104,17 +98,9 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
   AddViewOptions(command, arguments);
   command.option_defaults()->group("Quality");
   AddQualityOptions(command, arguments);
-  command.option_defaults()->group("Mesh files");
-  AddMeshOptions(command, arguments);
+  AddLoadOptions(command, arguments.load);
   command.option_defaults()->group("Running");
   AddRunOptions(command, arguments);
-}
-
-LoadOptions LoadOptionsOf(const RenderArguments& arguments) {
-  LoadOptions options;
-  if (arguments.up) options.zUp = *arguments.up == "z";
-  options.smooth = arguments.smooth;
-  return options;
 }
 
 RenderOptions RenderOptionsOf(const RenderArguments& arguments) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "api/snell.h"
+#include "cli/load_options.h"
 #include "cli/outputs.h"
 
 namespace snell::cli {
@@ -34,8 +35,7 @@ struct RenderArguments {
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
 
-  std::optional<std::string> up;  // "y" or "z"
-  std::optional<float> smooth;
+  LoadArguments load;
 
   std::optional<int> threads;
   bool quiet = false;
@@ -45,7 +45,6 @@ struct RenderArguments {
 // Declare the options. `arguments` must live until the command line has been parsed.
 void AddRenderOptions(CLI::App& command, RenderArguments& arguments);
 
-LoadOptions LoadOptionsOf(const RenderArguments& arguments);
 RenderOptions RenderOptionsOf(const RenderArguments& arguments);
 
 // The pictures to write, without what is known only later (exposure, metadata). Throws UsageError if an

@@ -150,7 +150,8 @@ SceneInfo Inspect(const Scene& opened) {
   cpu::FlatScene flat = cpu::Flatten(scene, scene.settings, camera);
   const bvh::Bvh bvh(flat.Geometry());
   info.buildSeconds = timer.Seconds();
-  info.sceneBytes = flat.MemoryBytes();
+  info.textureBytes = flat.TextureBytes();
+  info.sceneBytes = flat.MemoryBytes() - info.textureBytes;
   info.finerTriangles = flat.finerTriangles;
   info.warnings = flat.warnings;
   info.bvhBytes = bvh.MemoryBytes();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,14 @@ namespace scene {
 struct Scene;
 }
 
+// What a file may demand before it is refused, and how much that is without a word.
+struct LoadLimit {
+  std::string name;  // "file-bytes"
+  std::string text;  // one line
+  std::uint64_t value = 0;
+};
+SNELL_EXPORT std::vector<LoadLimit> KnownLoadLimits();
+
 // How to open a file.
 struct LoadOptions {
   WarningSink warn = {};  // receives what was repaired or is doubtful
@@ -26,6 +35,11 @@ struct LoadOptions {
   std::optional<bool> zUp = {};
   std::optional<float> smooth =
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
+  std::optional<double> time =
+      {};  // seconds, of a glTF file's animations; without it everything is at rest
+  // Folders that files may be read from besides the scene's own
+  std::vector<std::filesystem::path> folders = {};
+  std::map<std::string, std::uint64_t> limits = {};  // other values of known limits
 };
 
 // An opened scene, ready to render. Copies share the same contents, which do not change.
@@ -41,11 +55,11 @@ class SNELL_EXPORT Scene {
   std::shared_ptr<const scene::Scene> contents_;
 };
 
-// Open a scene (.toml, .gltf, .glb, .nff, .pbrt) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a scene
-// without a camera gets one that shows everything. Throws Error with every mistake that was found.
+// Open a scene (.toml, .gltf, .glb, .nff, .pbrt, …) or a mesh (.obj, .ply, .stl). A bare mesh is set into a small studio; a
+// scene without a camera gets one that shows everything. Throws Error with every mistake that was found.
 SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 
-// "toml, gltf, glb, nff, pbrt, obj, ply, stl", for messages.
+// "toml, gltf, glb, nff, pbrt, obj, ply, stl …", for messages.
 SNELL_EXPORT std::string KnownSceneExtensions();
 
 // What is in a scene.
@@ -72,7 +86,9 @@ struct SceneInfo {
   bool bounded = false;              // whether the box below holds anything
   std::array<double, 3> lower{};
   std::array<double, 3> upper{};
-  std::uint64_t sceneBytes = 0;  // once prepared for rendering
+  // Once prepared for rendering
+  std::uint64_t sceneBytes = 0;    // without textures
+  std::uint64_t textureBytes = 0;  // with their pictures
   std::uint64_t bvhBytes = 0;
   double buildSeconds = 0;
   std::vector<std::string> warnings;  // of what preparing it for rendering met

@@ -20,12 +20,20 @@ bvh::Geometry FlatScene::Geometry() {
   return {positions, triangles, meshes, shapes, instances, objects, worldTriangles};
 }
 
+template <typename T>
+static std::uint64_t BytesOf(const std::vector<T>& array) {
+  return array.size() * sizeof(T);
+}
+
+std::uint64_t FlatScene::TextureBytes() const {
+  return BytesOf(textures) + BytesOf(images) + BytesOf(texels);
+}
+
 std::uint64_t FlatScene::MemoryBytes() const {
-  const auto bytes = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return bytes(objects) + bytes(shapes) + bytes(instances) + bytes(meshes) + bytes(triangles) +
-         bytes(positions) + bytes(normals) + bytes(uvs) + bytes(tangents) + bytes(colors) +
-         bytes(materials) + bytes(terms) + bytes(physicals) + bytes(textures) + bytes(images) +
-         bytes(texels) + bytes(lights);
+  return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
+         BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
+         BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
+         BytesOf(physicals) + BytesOf(lights) + TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {

@@ -40,6 +40,7 @@ struct FlatScene {
   // Views for the BVH; this scene must not move while they are used.
   bvh::Geometry Geometry();
   std::uint64_t MemoryBytes() const;
+  std::uint64_t TextureBytes() const;  // of these: textures and their pictures
 };
 
 // Flatten a valid scene (scene/validate.h). Throws Error if it has more vertices or triangles than 32-bit

@@ -23,7 +23,8 @@ void Source::CheckSize(std::int64_t width, std::int64_t height) const {
   const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
   if (pixels > options.limits.pixels)
     throw Fault(fmt::format("the picture has {}×{} = {} pixels; the limit is {}", width, height,
-                            WithCommas(pixels), WithCommas(options.limits.pixels)));
+                            WithCommas(pixels), WithCommas(options.limits.pixels)),
+                -1, options.limits.pixelHint);
 }
 
 void Source::CheckPlausible(std::uint64_t rawBytes, std::uint64_t ratio) const {

@@ -27,6 +27,7 @@ enum class ColorSpace {
 struct ReadLimits {
   std::uint64_t pixels = std::uint64_t(1) << 28;
   std::uint64_t fileBytes = DefaultFileLimit;
+  std::string pixelHint = {};  // what a message about too many may suggest
 };
 
 struct ReadOptions {

@@ -22,15 +22,20 @@ std::string Lower(std::string text) {
 
 }  // namespace
 
-FileFinder::FileFinder(fs::path root) : root_(root.empty() ? fs::path(".") : std::move(root)) {}
+FileFinder::FileFinder(std::vector<fs::path> roots) : roots_(std::move(roots)) {
+  for (fs::path& root : roots_)
+    if (root.empty()) root = ".";
+}
 
 std::optional<fs::path> FileFinder::Find(const fs::path& folder, std::string_view name) {
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
   const std::string last = portable.substr(portable.find_last_of('/') + 1);
-  for (const std::string& candidate : {portable, last})
-    for (const fs::path& from : {folder, root_})
-      if (auto path = FindIn(from, candidate)) return path;
+  for (const std::string& candidate : {portable, last}) {
+    if (auto path = FindIn(folder, candidate)) return path;
+    for (const fs::path& root : roots_)
+      if (auto path = FindIn(root, candidate)) return path;
+  }
   return std::nullopt;
 }
 
@@ -38,7 +43,7 @@ std::optional<fs::path> FileFinder::Find(const fs::path& folder, std::string_vie
 std::optional<fs::path> FileFinder::FindIn(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   try {
-    const fs::path exact = ConfinedPath(root_, folder, name);
+    const fs::path exact = ConfinedPath(roots_, folder, name);
     if (fs::is_regular_file(exact, ignored)) return exact;
     return FindInAnyCase(folder, name);
   } catch (const Error&) {
@@ -55,12 +60,12 @@ std::optional<fs::path> FileFinder::FindInAnyCase(const fs::path& folder, const 
       path /= part;
       continue;
     }
-    const Listing& listing = ListingOf(ConfinedPath(root_, path, "."));
+    const Listing& listing = ListingOf(ConfinedPath(roots_, path, "."));
     const auto entry = listing.find(Lower(part.string()));
     if (entry == listing.end()) return std::nullopt;
     path /= entry->second;
   }
-  ConfinedPath(root_, path.parent_path(), path.filename().string());
+  ConfinedPath(roots_, path.parent_path(), path.filename().string());
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
   return path;
 }

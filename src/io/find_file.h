@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Finds the files that an asset names: such names often come from other machines, with backslashes, in
-// another case, or with folders that exist only there. Nothing outside a root folder is ever found.
+// another case, or with folders that exist only there. Nothing outside the folders that it may look in is ever found.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,22 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace snell::io {
 
 class FileFinder {
  public:
-  // An empty root is the current folder.
-  explicit FileFinder(std::filesystem::path root);
+  // The first folder is the asset's own; an empty name is the current folder.
+  explicit FileFinder(std::vector<std::filesystem::path> roots);
 
-  // The file called `name` in `folder`, else in the root; there in any case of its letters; else the same for
-  // the last part of the name alone. None if there is no such file within the root.
+  // The file called `name` in `folder`, else in one of the roots; there in any case of its letters; else the
+  // same for the last part of the name alone. None if there is no such file within the roots.
   std::optional<std::filesystem::path> Find(const std::filesystem::path& folder,
                                             std::string_view name);
 
-  const std::filesystem::path& root() const { return root_; }
+  // The asset's own folder.
+  const std::filesystem::path& root() const { return roots_.front(); }
 
  private:
   std::optional<std::filesystem::path> FindIn(const std::filesystem::path& folder,
@@ -34,7 +36,7 @@ class FileFinder {
   using Listing = std::map<std::string, std::string>;
   const Listing& ListingOf(const std::filesystem::path& folder);
 
-  std::filesystem::path root_;
+  std::vector<std::filesystem::path> roots_;
   std::map<std::filesystem::path, Listing> listings_;
 };
 

@@ -12,9 +12,13 @@ Format FormatOf(const std::filesystem::path& path) {
   if (extension == "nff") return Format::Nff;
   if (extension == "pbrt") return Format::Pbrt;
   if (extension == "obj" || extension == "ply" || extension == "stl") return Format::Mesh;
+  for (const char* other : {"dae", "fbx", "3ds", "off", "ac", "x"})
+    if (extension == other) return Format::Other;
   return Format::Unknown;
 }
 
-std::string KnownFormats() { return "toml, gltf, glb, nff, pbrt, obj, ply, stl"; }
+std::string KnownFormats() {
+  return "toml, gltf, glb, nff, pbrt, obj, ply, stl, dae, fbx, 3ds, off, ac, x";
+}
 
 }  // namespace snell::io

@@ -8,12 +8,12 @@
 
 namespace snell::io {
 
-enum class Format { Toml, Gltf, Nff, Pbrt, Mesh, Unknown };
+enum class Format { Toml, Gltf, Nff, Pbrt, Mesh, Other, Unknown };
 
 // By the file's extension.
 Format FormatOf(const std::filesystem::path& path);
 
-// "toml, gltf, glb, nff, pbrt, obj, ply, stl", for messages.
+// "toml, gltf, glb, nff, pbrt, obj, ply, stl …", for messages.
 std::string KnownFormats();
 
 }  // namespace snell::io

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "image/color.h"
-#include "image/read.h"
 #include "io/mesh/text.h"
 #include "util/file.h"
 
@@ -22,9 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What one scene may hold; more is a mistake or an attack.
-constexpr std::size_t MaxImages = 65536;
-constexpr std::uint64_t MaxTexels = std::uint64_t(1) << 30;
 // Missing files that are told one by one.
 constexpr int MaxWarnings = 32;
 
@@ -67,11 +63,19 @@ std::vector<std::uint8_t> ByteTexels(const image::Image& picture) {
   return bytes;
 }
 
-scene::Image DecodeTexels(std::string_view bytes, const std::string& name, ImageUse use) {
+image::ReadOptions RawPictures(const ReadLimits& limits) {
+  return {.colorSpace = image::ColorSpace::Raw,
+          .limits = {.pixels = limits.picturePixels,
+                     .fileBytes = limits.fileBytes,
+                     .pixelHint = LiftedBy(&ReadLimits::picturePixels)}};
+}
+
+scene::Image DecodeTexels(std::string_view bytes, const std::string& name, ImageUse use,
+                          const ReadLimits& limits) {
   try {
     scene::Image texels;
     texels.name = name;
-    image::Image picture = image::DecodeImage(bytes, name, {.colorSpace = image::ColorSpace::Raw});
+    image::Image picture = image::DecodeImage(bytes, name, RawPictures(limits));
     texels.width = picture.width;
     texels.height = picture.height;
     const bool hasCodes = HasCodes(bytes);
@@ -91,8 +95,8 @@ scene::Image DecodeTexels(std::string_view bytes, const std::string& name, Image
   }
 }
 
-ImageLoader::ImageLoader(fs::path root, WarningSink warn)
-    : finder_(std::move(root)), warn_(std::move(warn)) {}
+ImageLoader::ImageLoader(std::vector<fs::path> roots, WarningSink warn, ReadLimits limits)
+    : finder_(std::move(roots)), warn_(std::move(warn)), limits_(limits) {}
 
 scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, ImageUse use,
                                     const Place& place, const fs::path& folder) {
@@ -105,7 +109,10 @@ scene::ImageIndex ImageLoader::Load(scene::Scene& scene, std::string_view name, 
 // The picture of a name that was not asked for before; its file may have been, by another name.
 scene::ImageIndex ImageLoader::LoadFirst(scene::Scene& scene, const fs::path& folder,
                                          std::string_view name, ImageUse use, const Place& place) {
-  const std::optional<fs::path> path = finder_.Find(folder, name);
+  const auto provided = provided_.find(name);
+  const bool isProvided = provided != provided_.end();
+  const std::optional<fs::path> path =
+      isProvided ? fs::path(provided->first) : finder_.Find(folder, name);
   if (!path) {
     if (missing_.emplace(name).second)
       Warn(fmt::format("the picture {} is not found in the scene's folder", Quoted(name)), place);
@@ -113,27 +120,34 @@ scene::ImageIndex ImageLoader::LoadFirst(scene::Scene& scene, const fs::path& fo
   }
 
   std::error_code ignored;
-  const std::string real = fs::weakly_canonical(*path, ignored).string();
+  const std::string real =
+      isProvided ? "embedded:" + provided->first : fs::weakly_canonical(*path, ignored).string();
   const auto [entry, isNew] = loaded_.try_emplace({real, use}, -1);
   if (!isNew) return entry->second;
-  if (scene.images.size() >= MaxImages) throw Error("too many pictures", place);
+  if (scene.images.size() >= limits_.pictures)
+    throw Error("too many pictures", place, LiftedBy(&ReadLimits::pictures));
   try {
-    scene::Image texels = DecodeTexels(ReadFile(*path), path->string(), use);
+    scene::Image texels =
+        isProvided ? DecodeTexels(provided->second, path->string(), use, limits_)
+                   : DecodeTexels(ReadWithin(*path, limits_), path->string(), use, limits_);
     texels_ += std::uint64_t(texels.width) * std::uint64_t(texels.height);
-    if (texels_ > MaxTexels) throw Error("all pictures together are too large", {path->string()});
+    if (texels_ > limits_.pixels)
+      throw Error("all pictures together are too large", {path->string()},
+                  LiftedBy(&ReadLimits::pixels));
     scene.images.push_back(std::move(texels));
     entry->second = scene::ImageIndex(scene.images.size()) - 1;
   } catch (const Error& error) {
     const Diagnostic& cause = error.diagnostics().front();
-    Warn(fmt::format("cannot use the picture {}: {}", ToString(cause.place), cause.message), place);
+    Warn(fmt::format("cannot use the picture {}: {}", ToString(cause.place), cause.message), place,
+         cause.hint);
   }
   return entry->second;
 }
 
-void ImageLoader::Warn(std::string message, const Place& place) {
+void ImageLoader::Warn(std::string message, const Place& place, std::string hint) {
   if (++warnings_ > MaxWarnings || !warn_) return;
   if (warnings_ == MaxWarnings) message = "more pictures are missing or damaged";
-  warn_({std::move(message), place});
+  warn_({std::move(message), place, std::move(hint)});
 }
 
 }  // namespace snell::io

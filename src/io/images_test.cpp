@@ -78,7 +78,7 @@ TEST(Images, LoadsEachFileOnceAndNothingOutside) {
   test.Write("bad.png", "\x89PNG\r\n\x1a\n").Write("sub/empty", "").Paint("sub/Good.png", vec3(1));
   std::filesystem::create_symlink(outside.folder() / "secret.png", test.folder() / "link.png");
   int warnings = 0;
-  ImageLoader loader(test.folder(), [&](const Diagnostic&) { ++warnings; });
+  ImageLoader loader({test.folder()}, [&](const Diagnostic&) { ++warnings; });
   scene::Scene scene;
   const auto load = [&](const std::string& name, ImageUse use = ImageUse::Color) {
     return loader.Load(scene, name, use, {});

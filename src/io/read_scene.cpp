@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/read_scene.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <utility>
 
+#include "io/contents.h"
 #include "io/format.h"
 #include "io/gltf/gltf.h"
-#include "io/mesh/read_mesh.h"
-#include "io/nff/nff.h"
-#include "io/obj/scene.h"
-#include "io/pbrt/pbrt.h"
-#include "io/toml/scene.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
 #include "util/file.h"
@@ -24,46 +19,33 @@ static scene::Affine ZUpToYUp() {
           glm::dvec4(0, 0, 0, 1)};
 }
 
-// The objects of a mesh file.
-static scene::Scene ReadObjects(const std::filesystem::path& path, const ReadOptions& options,
-                                const WarningSink& warn) {
-  MeshReadOptions meshOptions;
-  if (options.smooth) meshOptions.smoothDegrees = *options.smooth;
-  meshOptions.smoothingGroups = !options.smooth;
-  if (LowerExtension(path) == "obj") return ReadObjScene(path, meshOptions, warn);
-
-  scene::Scene scene;
-  scene.meshes = ReadMesh(path, meshOptions, warn);
-  const bool colored = !scene.meshes.front().colors.empty();
-  scene.materials.push_back(colored ? scene::ColoredMaterial() : scene::DefaultMaterial());
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    scene::Object object;
-    object.name = scene.meshes[i].name;
-    object.geometry = scene::MeshGeometry{int(i)};
-    object.material = 0;
-    object.place.file = path.string();
-    scene.objects.push_back(object);
+// Give objects that bring no material one that shows their colours, or the grey one.
+static void GiveMaterials(scene::Scene& scene) {
+  scene::MaterialIndex standard[2] = {-1, -1};
+  for (scene::Object& object : scene.objects) {
+    if (object.material >= 0) continue;
+    const auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry);
+    const bool colored = mesh && !scene.meshes[std::size_t(mesh->mesh)].colors.empty();
+    scene::MaterialIndex& material = standard[colored];
+    if (material < 0) {
+      material = scene::MaterialIndex(scene.materials.size());
+      scene.materials.push_back(colored ? scene::ColoredMaterial() : scene::DefaultMaterial());
+    }
+    object.material = material;
   }
-  return scene;
 }
 
-static scene::Scene ReadBareMesh(const std::filesystem::path& path, const ReadOptions& options,
-                                 const WarningSink& warn) {
-  scene::Scene scene = ReadObjects(path, options, warn);
-  if (options.zUp.value_or(LowerExtension(path) == "stl"))
+static void SetUpMeshes(scene::Scene& scene, bool zUp) {
+  GiveMaterials(scene);
+  if (zUp)
     for (scene::Object& object : scene.objects) object.toWorld = ZUpToYUp();
   scene::AddStudio(scene);
-  return scene;
 }
 
-static constexpr float LumensPerWatt = 683;
-
-static scene::Scene ReadGltfScene(const std::filesystem::path& path, const ReadOptions& options,
-                                  const WarningSink& warn) {
-  scene::Scene scene = ReadGltf(path, options.time, warn);
+static void SetUpGltf(scene::Scene& scene) {
   if (scene.lights.empty()) {
     if (!scene.objects.empty()) scene::AddStudio(scene);
-    return scene;
+    return;
   }
   // Expose for the file's lights, which are in lumens: a matt white surface under π lux comes out white. What
   // glows is in nits then, too
@@ -71,36 +53,25 @@ static scene::Scene ReadGltfScene(const std::filesystem::path& path, const ReadO
   for (scene::Material& material : scene.materials) {
     if (material.physical) material.physical->emission.value /= LumensPerWatt;
   }
-  return scene;
-}
-
-// No reader is known for the file; if there is none, that is said first.
-[[noreturn]] static void Refuse(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) ReadFile(path);
-  if (path.string().ends_with(".pbrt.gz"))
-    throw Error("compressed scenes are not read", {path.string()}, "unpack it with gunzip");
-  throw Error("the file's kind is not known by its extension", {path.string()},
-              fmt::format("Snell opens {}", KnownFormats()));
 }
 
 scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& options,
                        const WarningSink& warn) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw Error("this is a folder, not a file", {path.string()});
-  scene::Scene scene;
-  switch (FormatOf(path)) {
-    case Format::Toml: scene = ReadToml(path, warn); break;
-    case Format::Gltf: scene = ReadGltfScene(path, options, warn); break;
-    case Format::Nff: scene = ReadNff(path, warn); break;
-    case Format::Pbrt: scene = ReadPbrt(path, warn); break;
-    case Format::Mesh: scene = ReadBareMesh(path, options, warn); break;
-    case Format::Unknown: Refuse(path);
+  Contents contents = ReadContents(path, options, warn);
+  scene::Scene& scene = contents.scene;
+  if (options.time && !contents.animated && warn)
+    warn({"there are no animations: the time changes nothing", {path.string()}});
+  const Format format = FormatOf(path);
+  if (format == Format::Gltf) SetUpGltf(scene);
+  if (format == Format::Mesh)
+    SetUpMeshes(scene, options.zUp.value_or(LowerExtension(path) == "stl"));
+  if (format == Format::Other) {
+    GiveMaterials(scene);
+    if (scene.lights.empty()) scene::AddStudio(scene);
   }
   scene.name = path.string();
   scene::Validate(scene, warn);
-  return scene;
+  return std::move(scene);
 }
 
 }  // namespace snell::io

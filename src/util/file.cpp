@@ -10,7 +10,9 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "util/error.h"
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 
 static std::string Reason() { return std::strerror(errno); }
 
-std::string ReadFile(const fs::path& path, std::uint64_t limit) {
+std::string ReadFile(const fs::path& path, std::uint64_t limit, std::string hint) {
   // Opening a pipe would wait for its writer
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) throw Error(fmt::format("cannot read the file: {}", Reason()), {path.string()});
@@ -36,7 +38,7 @@ std::string ReadFile(const fs::path& path, std::uint64_t limit) {
   if (!S_ISREG(status.st_mode)) throw Error("not a regular file", {path.string()});
   if (std::uint64_t(status.st_size) > limit)
     throw Error(fmt::format("the file has {} bytes; the limit is {}", status.st_size, limit),
-                {path.string()});
+                {path.string()}, std::move(hint));
 
   std::string bytes(std::size_t(status.st_size), '\0');
   std::size_t filled = 0;
@@ -51,28 +53,42 @@ std::string ReadFile(const fs::path& path, std::uint64_t limit) {
   return bytes;
 }
 
-fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::string_view name) {
+// Whether a path without links lies in the folder or in one within it.
+static bool LiesIn(const fs::path& folder, const fs::path& realPath) {
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, ignored);
+  const auto [end, rest] =
+      std::mismatch(real.begin(), real.end(), realPath.begin(), realPath.end());
+  // The name of a folder may end in a slash
+  return end == real.end() || (end->empty() && std::next(end) == real.end());
+}
+
+fs::path ConfinedPath(const std::vector<fs::path>& roots, const fs::path& fromFolder,
+                      std::string_view name) {
+  static constexpr const char* Hint =
+      "files are read only from the scene's own folder and the folders in it; --allow FOLDER adds "
+      "others";
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
   if (portable.empty()) throw Error("the file name is empty");
   // The system would cut it short, after the check
   if (portable.find('\0') != std::string::npos) throw Error("the file name has a zero byte");
   const bool driveLetter = portable.size() > 1 && portable[1] == ':';
-  if (portable[0] == '/' || driveLetter)
-    throw Error(fmt::format("'{}' is an absolute path", name), {},
-                "files are read only from the scene's own folder and the folders in it");
+  const bool absolute = portable[0] == '/' || driveLetter;
 
   // Resolve symbolic links too: what counts is where the bytes lie
   std::error_code ignored;
   const fs::path path = fromFolder / portable;
-  const fs::path realRoot = fs::weakly_canonical(root.empty() ? fs::path(".") : root, ignored);
   const fs::path realPath = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-  const auto [rootEnd, pathRest] =
-      std::mismatch(realRoot.begin(), realRoot.end(), realPath.begin(), realPath.end());
-  if (rootEnd != realRoot.end())
-    throw Error(fmt::format("'{}' lies outside the scene's folder", name), {},
-                "files are read only from the scene's own folder and the folders in it");
-  return path;
+  for (std::size_t i = absolute ? 1 : 0; i < roots.size() && !driveLetter; ++i)
+    if (LiesIn(roots[i], realPath)) return path;
+  throw Error(absolute ? fmt::format("'{}' is an absolute path", name)
+                       : fmt::format("'{}' lies outside the scene's folder", name),
+              {}, Hint);
+}
+
+fs::path ConfinedPath(const fs::path& root, const fs::path& fromFolder, std::string_view name) {
+  return ConfinedPath(std::vector{root}, fromFolder, name);
 }
 
 // What a symbolic link leads to, also if that does not exist yet.

@@ -18,13 +18,19 @@ namespace snell {
 inline constexpr std::uint64_t DefaultFileLimit = std::uint64_t(16) << 30;
 
 // The whole file as bytes. Throws Error if it cannot be read, is no regular file or is larger than
-// `limit` bytes.
-std::string ReadFile(const std::filesystem::path& path, std::uint64_t limit = DefaultFileLimit);
+// `limit` bytes; then `hint` says what may help.
+std::string ReadFile(const std::filesystem::path& path, std::uint64_t limit = DefaultFileLimit,
+                     std::string hint = {});
 
 // The path of the file that `name`, as written in `from`'s folder, refers to. Backslashes count as
 // slashes. Throws Error (without a place) if the name is absolute or leads out of `root`, also by a
 // symbolic link: a scene reads nothing outside its own folder.
 std::filesystem::path ConfinedPath(const std::filesystem::path& root,
+                                   const std::filesystem::path& fromFolder, std::string_view name);
+
+// The same for several folders, of which the first is the scene's own. In the others files may also be named
+// by absolute paths.
+std::filesystem::path ConfinedPath(const std::vector<std::filesystem::path>& roots,
                                    const std::filesystem::path& fromFolder, std::string_view name);
 
 // A file that appears under its name only when it is complete: written to "NAME.partial-PID" in the

@@ -45,6 +45,7 @@ TEST_F(Commands, InfoAsJson) {
   EXPECT_EQ((*values)["objects"], "3");
   EXPECT_EQ((*values)["objects_by_kind.sphere"], "2");
   EXPECT_EQ((*values)["triangles_stored"], "2");
+  EXPECT_FALSE((*values)["bytes.textures"].empty());
   EXPECT_EQ((*values)["bounds.lower.0"], "-6");
   EXPECT_EQ((*values)["lights.1.kind"], "point light");
 }

@@ -54,11 +54,28 @@ TEST_F(Documents, EachCommandHasAPage) {
     std::istringstream lines(page);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
   }
-  EXPECT_EQ(OptionsOf(Output({"help", "render"})),
-            (std::set<std::string>{"--output", "--bits", "--float", "--quality", "--exposure",
-                                   "--size", "--crop", "--camera", "--spp", "--samples",
-                                   "--integrator", "--max-depth", "--min-contribution", "--up",
-                                   "--smooth", "--threads", "--quiet", "--stats", "--help"}));
+  EXPECT_EQ(OptionsOf(Output({"help", "render"})), (std::set<std::string>{"--output",
+                                                                          "--bits",
+                                                                          "--float",
+                                                                          "--quality",
+                                                                          "--exposure",
+                                                                          "--size",
+                                                                          "--crop",
+                                                                          "--camera",
+                                                                          "--spp",
+                                                                          "--samples",
+                                                                          "--integrator",
+                                                                          "--max-depth",
+                                                                          "--min-contribution",
+                                                                          "--up",
+                                                                          "--smooth",
+                                                                          "--time",
+                                                                          "--allow",
+                                                                          "--limit",
+                                                                          "--threads",
+                                                                          "--quiet",
+                                                                          "--stats",
+                                                                          "--help"}));
 }
 
 TEST_F(Documents, TheReadmesSceneIsRight) {

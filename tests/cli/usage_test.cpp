@@ -35,7 +35,7 @@ const Mistake Mistakes[] = {
      "the option '--spp' comes after its command: snell render --spp"},
     // Too many words or too few
     {{"render"}, "SCENE is missing; usage: snell render [options] SCENE"},
-    {{"check"}, "SCENE is missing; usage: snell check SCENE ..."},
+    {{"check"}, "SCENE is missing; usage: snell check [options] SCENE ..."},
     {{"completion"}, "SHELL is missing; usage: snell completion bash|zsh|fish"},
     {{"compare", "a.png"}, "PICTURE is missing; usage: snell compare [options] REFERENCE PICTURE"},
     {{"render", "a.nff", "b.nff"},

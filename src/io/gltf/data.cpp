@@ -16,9 +16,6 @@ namespace {
 // Elements of an accessor without a buffer view: zeros, as far as `sparse` does not replace them.
 constexpr std::size_t ZerosLimit = std::size_t(1) << 24;
 
-// Numbers that a file's accessors are read for, all together.
-constexpr std::uint64_t NumbersLimit = std::uint64_t(1) << 33;
-
 template <typename C>
 C Load(const char* at) {
   C value;
@@ -105,8 +102,9 @@ GltfData::Elements GltfData::ElementsOf(int view, std::size_t offset, std::size_
 
 void GltfData::CountNumbers(std::size_t count, const std::string& part) {
   numbersRead_ += count;
-  if (numbersRead_ > NumbersLimit)
-    throw document_.Fault(part, "the file's parts read more numbers than Snell allows");
+  if (numbersRead_ > document_.limits.numbers)
+    throw document_.Fault(part, "the file's parts read more numbers than Snell allows",
+                          LiftedBy(&ReadLimits::numbers));
 }
 
 template <typename T, typename Convert>

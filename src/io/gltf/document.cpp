@@ -20,8 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int DepthLimit = 64;                            // of nested JSON
-constexpr std::size_t TextLimit = std::size_t(64) << 20;  // of JSON without data URIs
+constexpr int DepthLimit = 64;  // of nested JSON
 
 Place PlaceOfByte(std::string_view text, std::size_t byte, const std::string& file, bool binary) {
   if (binary) return {.file = file, .offset = std::int64_t(20 + byte)};
@@ -78,7 +77,7 @@ class Preparation {
       std::string bytes;
       if (!uri.empty()) {
         try {
-          bytes = ReadGltfUri(document_.Folder(), uri, DefaultFileLimit);
+          bytes = ReadGltfUri(document_.folders, uri, document_.limits);
         } catch (const Error& error) {
           const Diagnostic& cause = error.diagnostics().front();
           throw document_.Fault(part, ShortUri(uri) + ": " + cause.message, cause.hint);
@@ -182,9 +181,12 @@ class Preparation {
 // Let tinygltf make records of the rest.
 void ParseRest(const Json& json, GltfDocument& document) {
   const std::string text = json.dump();
-  if (text.size() > TextLimit)
-    throw document.Fault("", fmt::format("the JSON has {} without data; the limit is {}",
-                                         ByteSize(text.size()), ByteSize(TextLimit)));
+  const std::uint64_t limit = std::min<std::uint64_t>(document.limits.jsonBytes, 0x7fffffff);
+  if (text.size() > limit)
+    throw document.Fault("",
+                         fmt::format("the JSON has {} without data; the limit is {}",
+                                     ByteSize(text.size()), ByteSize(limit)),
+                         LiftedBy(&ReadLimits::jsonBytes));
   tinygltf::TinyGLTF parser;
   std::string errors, warnings;
   const bool parsed = parser.LoadASCIIFromString(&document.model, &errors, &warnings, text.c_str(),
@@ -210,10 +212,12 @@ Error GltfDocument::Fault(std::string_view part, std::string_view message, std::
                {path.string()}, std::move(hint));
 }
 
-GltfDocument OpenGltf(const std::filesystem::path& path) {
+GltfDocument OpenGltf(const std::filesystem::path& path, const ReadOptions& options) {
   GltfDocument document;
   document.path = path;
-  const std::string bytes = ReadFile(path);
+  document.limits = options.limits;
+  document.folders = FoldersOf(path, options);
+  const std::string bytes = ReadWithin(path, document.limits);
   if (bytes.empty()) throw document.Fault("", "the file is empty");
   const GltfContainer container = SplitGltf(bytes, path.string());
   const bool isBinary = bytes.starts_with("glTF");

@@ -13,6 +13,7 @@
 
 #include "io/gltf/findings.h"
 #include "io/gltf/model.h"
+#include "io/read_options.h"
 #include "util/error.h"
 
 namespace snell::io {
@@ -29,19 +30,20 @@ struct GltfDocument {
   static constexpr const char* Indices = "indices";
 
   std::filesystem::path path;
+  ReadLimits limits;
+  std::vector<std::filesystem::path> folders;  // that files may be read from, its own first
   tinygltf::Model model;  // its `buffers` and `images` are empty, strides of views are 0
   std::vector<std::string> buffers;
   std::vector<std::size_t> strides;  // of each buffer view; 0: packed
   std::vector<GltfImage> images;
   mutable GltfFindings findings;
 
-  std::filesystem::path Folder() const { return path.parent_path(); }
   // An Error about a part of the file, as in "mesh 3".
   Error Fault(std::string_view part, std::string_view message, std::string hint = {}) const;
 };
 
 // Throws Error if the file is no glTF 2.0 document, lacks a buffer or requires what Snell cannot do.
-GltfDocument OpenGltf(const std::filesystem::path& path);
+GltfDocument OpenGltf(const std::filesystem::path& path, const ReadOptions& options);
 
 // The JSON and the binary chunk of a .glb file, or the text and nothing of a .gltf file.
 struct GltfContainer {

@@ -5,6 +5,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "io/gltf/materials.h"
 #include "io/gltf/meshes.h"
@@ -14,15 +15,13 @@
 namespace snell::io {
 namespace {
 
-constexpr std::size_t ObjectLimit = 10'000'000;
-
 class GltfSceneReader {
  public:
-  GltfSceneReader(const GltfDocument& document, std::optional<double> time)
+  GltfSceneReader(const GltfDocument& document, const ReadOptions& options)
       : document_(document),
         data_(document),
-        nodes_(data_, time),
-        meshes_(data_, scene_),
+        nodes_(data_, options.time, options.scene),
+        meshes_(data_, scene_, options.variant),
         materials_(data_, scene_) {}
 
   scene::Scene Read() {
@@ -63,9 +62,10 @@ class GltfSceneReader {
   }
 
   void AddObject(const GltfMeshes::Part& from, int node, const glm::dmat4& toWorld) {
-    if (scene_.objects.size() >= ObjectLimit)
-      throw document_.Fault("",
-                            fmt::format("it shows more than {}", Plural(ObjectLimit, "object")));
+    const std::uint64_t limit = document_.limits.objects;
+    if (scene_.objects.size() >= limit)
+      throw document_.Fault("", fmt::format("it shows more than {}", Plural(limit, "object")),
+                            LiftedBy(&ReadLimits::objects));
     scene::Object object;
     object.name = document_.model.nodes[std::size_t(node)].name;
     if (object.name.empty()) object.name = scene_.meshes[std::size_t(from.mesh)].name;
@@ -86,13 +86,13 @@ class GltfSceneReader {
 
 }  // namespace
 
-scene::Scene ReadGltf(const std::filesystem::path& path, std::optional<double> time,
-                      const WarningSink& warn) {
+Contents ReadGltf(const std::filesystem::path& path, const ReadOptions& options,
+                  const WarningSink& warn) {
   try {
-    const GltfDocument document = OpenGltf(path);
-    scene::Scene scene = GltfSceneReader(document, time).Read();
+    const GltfDocument document = OpenGltf(path, options);
+    scene::Scene scene = GltfSceneReader(document, options).Read();
     document.findings.Report(path.string(), warn);
-    return scene;
+    return {std::move(scene), !document.model.animations.empty()};
   } catch (const std::bad_alloc&) {
     throw Error("not enough memory for the scene", {path.string()});
   } catch (const std::length_error&) {

@@ -6,17 +6,19 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
-#include "scene/scene.h"
+#include "io/contents.h"
 
 namespace snell::io {
 
-// The file's cameras, lights and objects, no others. `time` in seconds plays its animations; without it
-// everything is at rest. Reads no file outside of the file's folder. Throws Error if the file is malformed
+// Light of 555 nm; the photometric units of glTF are divided by it.
+inline constexpr float LumensPerWatt = 683;
+
+// The file's cameras, lights and objects, no others. Reads no file outside of the file's folder and those that
+// the options add. Throws Error if the file is malformed, lacks the scene or the variant that is asked for,
 // or refers to what is not there; what was repaired, approximated or left out goes to `warn`, which may be
 // empty, as one counted warning for each kind.
-scene::Scene ReadGltf(const std::filesystem::path& path, std::optional<double> time,
-                      const WarningSink& warn);
+Contents ReadGltf(const std::filesystem::path& path, const ReadOptions& options,
+                  const WarningSink& warn);
 
 }  // namespace snell::io

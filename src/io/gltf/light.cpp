@@ -4,12 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "io/gltf/gltf.h"
 #include "io/gltf/places.h"
 #include "io/gltf/value.h"
 
 namespace snell::io {
 
-static constexpr double LumensPerWatt = 683;
 static constexpr double WidestSpot = 1.5707963267948966;  // half angle, radians
 
 std::optional<scene::Light> ReadGltfLight(const GltfDocument& document, int node,
@@ -25,7 +25,7 @@ std::optional<scene::Light> ReadGltfLight(const GltfDocument& document, int node
   const tinygltf::Light& record = document.model.lights[std::size_t(index)];
   scene::Light light;
   light.name = record.name;
-  light.strength = float(record.intensity / LumensPerWatt);
+  light.strength = float(record.intensity / double(LumensPerWatt));
   bool isSound = std::isfinite(light.strength) && light.strength >= 0;
   if (record.color.size() == 3) {
     for (int i = 0; i < 3; ++i) light.color[i] = float(record.color[std::size_t(i)]);

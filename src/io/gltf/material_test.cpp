@@ -96,8 +96,9 @@ TEST(GltfMaterial, PicturesThatCannotBeReadLeaveTheFactor) {
                   "the picture none.png is left out: cannot read the file: No such file or "
                   "directory (material 0)\n"),
         {R"(, "textures": [{"source": 0}], "images": [{"uri": "../x.png"}])",
-         "the picture ../x.png is left out: '../x.png' lies outside the scene's folder (material "
-         "0)\n"},
+         "the picture ../x.png is left out: '../x.png' lies outside the scene's folder; files are "
+         "read only from the scene's own folder and the folders in it; --allow FOLDER adds others "
+         "(material 0)\n"},
         {R"(, "textures": [{"source": 0}], "images": [{"uri": "data:;base64,AAAA"}])",
          "the picture data URI is left out: not a known picture format (material 0)\n"},
         {R"(, "textures": [{"source": 0}], "images": [{"bufferView": 5}])",

@@ -12,8 +12,6 @@ using scene::Spectrum;
 GltfMaterials::GltfMaterials(GltfData& data, scene::Scene& scene)
     : document_(data.document()), scene_(scene), textures_(data, scene) {
   known_.assign(document_.model.materials.size(), -1);
-  const GltfValue variants(document_.model.extensions, "KHR_materials_variants");
-  if (variants) document_.findings.Note("of a mesh's material variants, the default is shown");
 }
 
 scene::MaterialIndex GltfMaterials::Get(int material) {

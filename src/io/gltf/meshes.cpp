@@ -7,9 +7,39 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "io/gltf/value.h"
+#include "util/text.h"
+
 namespace snell::io {
 
-static constexpr std::size_t TriangleLimit = std::size_t(1) << 28;  // of a file
+static constexpr const char* VariantsExtension = "KHR_materials_variants";
+
+GltfMeshes::GltfMeshes(GltfData& data, scene::Scene& scene, const std::string& variant)
+    : data_(data), scene_(scene) {
+  const GltfDocument& document = data.document();
+  std::vector<std::string> names;
+  for (const GltfValue& one :
+       GltfValue(document.model.extensions, VariantsExtension).Objects("variants"))
+    names.push_back(one.Text("name"));
+  if (variant.empty()) {
+    if (!names.empty())
+      document.findings.Note("of a mesh's material variants, the default is shown");
+    return;
+  }
+  const auto found = std::ranges::find(names, variant);
+  if (found == names.end())
+    throw document.Fault("", fmt::format("there is no variant '{}'", variant),
+                         DidYouMean(variant, names));
+  variant_ = int(found - names.begin());
+}
+
+int GltfMeshes::MaterialOf(const tinygltf::Primitive& primitive) const {
+  if (variant_ < 0) return primitive.material;
+  for (const GltfValue& mapping :
+       GltfValue(primitive.extensions, VariantsExtension).Objects("mappings"))
+    if (mapping.Lists("variants", variant_)) return mapping.Integer("material");
+  return primitive.material;
+}
 
 // From the mesh at rest to the world, for each joint of a skin; empty if the skin is of no use.
 const std::vector<glm::dmat4>& GltfMeshes::Joints(int index, const GltfNodes& nodes) {
@@ -46,11 +76,12 @@ std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation&
     const tinygltf::Primitive& primitive = mesh.primitives[i];
     const std::string part =
         mesh.primitives.size() > 1 ? fmt::format("{}, primitive {}", name, i) : name;
-    auto read = ReadGltfPrimitive(data_, primitive, deformation, TriangleLimit - triangles_, part);
+    auto read = ReadGltfPrimitive(data_, primitive, deformation,
+                                  document.limits.triangles - triangles_, part);
     if (!read) continue;
     triangles_ += read->triangles.size();
     read->name = mesh.name.empty() ? part : mesh.name;
-    parts.push_back({scene::MeshIndex(scene_.meshes.size()), primitive.material});
+    parts.push_back({scene::MeshIndex(scene_.meshes.size()), MaterialOf(primitive)});
     scene_.meshes.push_back(std::move(*read));
   }
   return parts;

@@ -16,7 +16,9 @@ namespace snell::io {
 
 class GltfMeshes {
  public:
-  GltfMeshes(GltfData& data, scene::Scene& scene) : data_(data), scene_(scene) {}
+  // `variant` is the name of the materials' variant to show, empty for the default. Throws Error if there is
+  // none.
+  GltfMeshes(GltfData& data, scene::Scene& scene, const std::string& variant);
 
   struct Part {
     scene::MeshIndex mesh = -1;
@@ -29,11 +31,14 @@ class GltfMeshes {
   const std::vector<glm::dmat4>& Joints(int skin, const GltfNodes& nodes);
   std::vector<Part> Read(int mesh, const GltfDeformation& deformation);
 
+  int MaterialOf(const tinygltf::Primitive& primitive) const;
+
   GltfData& data_;
   scene::Scene& scene_;
   std::map<int, std::vector<Part>> shared_;        // by glTF's mesh
   std::map<int, std::vector<glm::dmat4>> joints_;  // by glTF's skin
   std::size_t triangles_ = 0;
+  int variant_ = -1;
 };
 
 }  // namespace snell::io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/gltf/nodes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "io/gltf/value.h"
+#include "util/text.h"
 
 namespace snell::io {
 namespace {
@@ -66,7 +69,7 @@ std::vector<GltfNodeState> GltfRestStates(const GltfDocument& document) {
   return states;
 }
 
-GltfNodes::GltfNodes(GltfData& data, std::optional<double> time)
+GltfNodes::GltfNodes(GltfData& data, std::optional<double> time, const std::string& scene)
     : document_(data.document()), states_(GltfRestStates(data.document())) {
   FindParents();
   if (time) {
@@ -75,7 +78,7 @@ GltfNodes::GltfNodes(GltfData& data, std::optional<double> time)
     document_.findings.Note("animations are not played; everything is shown at rest");
   }
   PlaceAll();
-  FindVisible();
+  FindVisible(FindScene(scene));
 }
 
 std::string GltfNodes::NameOf(int node) const {
@@ -121,18 +124,29 @@ void GltfNodes::PlaceAll() {
   throw document_.Fault(NameOf(int(first)), "the node is its own ancestor, or below one that is");
 }
 
-void GltfNodes::FindVisible() {
+// The scene to show; -1 if there is none, and all nodes are shown.
+int GltfNodes::FindScene(const std::string& name) const {
   const tinygltf::Model& model = document_.model;
+  if (!name.empty()) {
+    std::vector<std::string> names;
+    for (const tinygltf::Scene& scene : model.scenes) names.push_back(scene.name);
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) return int(found - names.begin());
+    throw document_.Fault("", fmt::format("there is no scene '{}'", name), DidYouMean(name, names));
+  }
   const bool hasDefault =
       model.defaultScene >= 0 && std::size_t(model.defaultScene) < model.scenes.size();
   if (model.defaultScene >= 0 && !hasDefault)
     document_.findings.Note("the default scene does not exist; the first one is shown");
   if (model.scenes.size() > 1) document_.findings.Note("only one of several scenes is shown");
+  return hasDefault ? model.defaultScene : model.scenes.empty() ? -1 : 0;
+}
 
+void GltfNodes::FindVisible(int scene) {
   // Begin with the scene's roots, or with all
   std::vector<int> waiting;
-  if (hasDefault || !model.scenes.empty()) {
-    waiting = model.scenes[hasDefault ? std::size_t(model.defaultScene) : 0].nodes;
+  if (scene >= 0) {
+    waiting = document_.model.scenes[std::size_t(scene)].nodes;
   } else {
     for (int i = 0; i < int(states_.size()); ++i)
       if (parents_[std::size_t(i)] < 0) waiting.push_back(i);

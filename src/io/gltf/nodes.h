@@ -24,8 +24,9 @@ struct GltfNodeState {
 
 class GltfNodes {
  public:
-  // Throws Error if a node is its own ancestor. `time` in seconds moves what animations move.
-  GltfNodes(GltfData& data, std::optional<double> time);
+  // Throws Error if a node is its own ancestor. `time` in seconds moves what animations
+  // move. `scene` is the name of the one to show, empty for the default. Throws Error if there is none.
+  GltfNodes(GltfData& data, std::optional<double> time, const std::string& scene);
 
   // The nodes of the scene to show, parents first: the default scene, else the first, else all nodes.
   const std::vector<int>& visible() const { return visible_; }
@@ -37,7 +38,8 @@ class GltfNodes {
  private:
   void FindParents();
   void PlaceAll();
-  void FindVisible();
+  int FindScene(const std::string& name) const;
+  void FindVisible(int scene);
 
   const GltfDocument& document_;
   std::vector<GltfNodeState> states_;

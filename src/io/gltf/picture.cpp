@@ -15,17 +15,20 @@ GltfPicture ReadGltfPicture(const GltfDocument& document, std::string_view viewB
   try {
     std::string loaded;
     if (!source.uri.empty()) {
-      loaded = ReadGltfUri(document.Folder(), source.uri, DefaultFileLimit);
+      loaded = ReadGltfUri(document.folders, source.uri, document.limits);
       viewBytes = loaded;
     }
     // The numbers in the file are kept: the use of the texture says what they mean, not the file
-    const image::ReadOptions options{.colorSpace = image::ColorSpace::Raw};
-    const image::Image decoded = image::DecodeImage(viewBytes, document.path.string(), options);
+    const image::Image decoded =
+        image::DecodeImage(viewBytes, document.path.string(), RawPictures(document.limits));
     picture.width = decoded.width;
     picture.height = decoded.height;
     picture.bytes = ByteTexels(decoded);
   } catch (const Error& error) {
-    picture.fault = error.diagnostics().front().message;
+    const Diagnostic& cause = error.diagnostics().front();
+    picture.fault = cause.message;
+    // Of other hints there would be too many words
+    if (cause.hint.find("--") != std::string::npos) picture.fault += "; " + cause.hint;
   }
   return picture;
 }

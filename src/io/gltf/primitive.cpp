@@ -116,7 +116,8 @@ std::optional<Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Primitive&
     findings.Note("the number of a primitive's indices is no multiple of three", part);
   mesh.triangles = Triangles(indices, mode);
   if (mesh.triangles.size() > triangleLimit)
-    throw data.document().Fault(part, "the file has more triangles than Snell reads from one file");
+    throw data.document().Fault(part, "the file has more triangles than Snell reads from one file",
+                                LiftedBy(&ReadLimits::triangles));
   return FinishGltfMesh(std::move(mesh), findings, part);
 }
 

@@ -106,8 +106,9 @@ inline GltfResult ReadGltfFile(const std::filesystem::path& path, std::optional<
   GltfResult result;
   const std::string folder = path.parent_path().string() + "/";
   try {
-    result.scene = ReadGltf(
-        path, time, [&](const Diagnostic& warning) { result.warnings += warning.message + "\n"; });
+    result.scene = ReadGltf(path, {.time = time}, [&](const Diagnostic& warning) {
+                     result.warnings += warning.message + "\n";
+                   }).scene;
   } catch (const Error& error) {
     result.error = error.what();
     if (const std::size_t at = result.error.find(folder); at != std::string::npos)

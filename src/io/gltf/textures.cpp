@@ -18,8 +18,6 @@
 namespace snell::io {
 namespace {
 
-constexpr std::uint64_t PixelLimit = std::uint64_t(1) << 30;  // of all pictures together
-
 scene::Wrap WrapOf(int mode) {
   if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return scene::Wrap::Clamp;
   if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return scene::Wrap::Mirror;
@@ -83,9 +81,11 @@ GltfTextures::GltfTextures(GltfData& data, scene::Scene& scene) : data_(data), s
   ParallelInOrder(images.size(), [&](std::uint64_t i, int) {
     GltfPicture picture = ReadGltfPicture(document, bytes.at(images[i]), images[i]);
     pixels += picture.bytes.size() / 4;
-    if (pixels > PixelLimit)
+    if (pixels > document.limits.pixels)
       throw document.Fault(
-          "", fmt::format("the pictures have more than {}", Plural(PixelLimit, "pixel")));
+          "",
+          fmt::format("the pictures have more than {}", Plural(document.limits.pixels, "pixel")),
+          LiftedBy(&ReadLimits::pixels));
     *results[i] = std::move(picture);
   });
 }

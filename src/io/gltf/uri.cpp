@@ -102,12 +102,12 @@ std::string DecodeDataUri(std::string_view uri) {
                                                   : DecodeBase64(DecodePercent(data));
 }
 
-std::string ReadGltfUri(const std::filesystem::path& folder, std::string_view uri,
-                        std::uint64_t limit) {
+std::string ReadGltfUri(const std::vector<std::filesystem::path>& folders, std::string_view uri,
+                        const ReadLimits& limits) {
   if (IsDataUri(uri)) return DecodeDataUri(uri);
   if (const std::string_view scheme = SchemeOf(uri); !scheme.empty())
     throw Error(fmt::format("'{}' is no file of the scene's folder", ShortUri(uri)));
-  return ReadFile(ConfinedPath(folder, folder, DecodePercent(uri)), limit);
+  return ReadWithin(ConfinedPath(folders, folders.front(), DecodePercent(uri)), limits);
 }
 
 std::string ShortUri(std::string_view uri) {

@@ -4,10 +4,12 @@
 // folder. Nothing else is opened.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "io/read_limits.h"
 
 namespace snell::io {
 
@@ -19,10 +21,10 @@ bool IsDataUri(std::string_view uri);
 // The bytes of a data URI. Throws Error (without a place) if it is malformed.
 std::string DecodeDataUri(std::string_view uri);
 
-// The bytes that a URI stands for. Throws Error if the file is missing, larger than `limit`, or lies
-// outside of `folder`.
-std::string ReadGltfUri(const std::filesystem::path& folder, std::string_view uri,
-                        std::uint64_t limit);
+// The bytes that a URI stands for. Throws Error if the file is missing, larger than allowed, or lies
+// outside of the folders; names are relative to the first one.
+std::string ReadGltfUri(const std::vector<std::filesystem::path>& folders, std::string_view uri,
+                        const ReadLimits& limits);
 
 // For messages: the URI, or what it is if it holds the data itself.
 std::string ShortUri(std::string_view uri);

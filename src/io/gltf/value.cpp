@@ -37,6 +37,24 @@ bool GltfValue::Bool(const std::string& key, bool fallback) const {
   return member && member->IsBool() ? member->Get<bool>() : fallback;
 }
 
+std::vector<GltfValue> GltfValue::Objects(const std::string& key) const {
+  std::vector<GltfValue> objects;
+  const tinygltf::Value* member = Member(key);
+  if (!member || !member->IsArray()) return objects;
+  for (std::size_t i = 0; i < member->ArrayLen(); ++i) objects.emplace_back(member->Get(int(i)));
+  return objects;
+}
+
+bool GltfValue::Lists(const std::string& key, int number) const {
+  const tinygltf::Value* member = Member(key);
+  if (!member || !member->IsArray()) return false;
+  for (std::size_t i = 0; i < member->ArrayLen(); ++i) {
+    const tinygltf::Value& element = member->Get(int(i));
+    if (element.IsNumber() && element.GetNumberAsDouble() == number) return true;
+  }
+  return false;
+}
+
 std::string GltfValue::Text(const std::string& key) const {
   const tinygltf::Value* member = Member(key);
   return member && member->IsString() ? member->Get<std::string>() : std::string();

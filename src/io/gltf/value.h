@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 #include <string>
+#include <vector>
 
 #include "io/gltf/model.h"
 
@@ -29,6 +30,9 @@ class GltfValue {
   std::size_t Size(const std::string& key, std::size_t fallback = 0) const;  // 0 if negative
   double Number(const std::string& key, double fallback) const;
   bool Bool(const std::string& key, bool fallback) const;
+  // Of an array: its objects, and whether it has a number
+  std::vector<GltfValue> Objects(const std::string& key) const;
+  bool Lists(const std::string& key, int number) const;
   std::string Text(const std::string& key) const;
   // An array of as many numbers as `fallback` has.
   std::vector<double> Numbers(const std::string& key, std::vector<double> fallback) const;

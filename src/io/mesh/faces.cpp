@@ -57,10 +57,10 @@ void DropMissing(std::vector<std::uint32_t>& indices, std::size_t count, const c
 // Triangles of corners; `joins` as in Mesh. The runs of faces become runs of triangles.
 std::vector<uvec3> CutFaces(FaceSet& faces, const MeshFile& file, std::vector<bool>& joins) {
   const std::uint64_t count = faces.positionOf.size() - 2 * faces.faceCount;
-  const std::uint64_t limit = std::min<std::uint64_t>(file.options.maxTriangles, NoIndex / 3);
+  const std::uint64_t limit = std::min<std::uint64_t>(file.options.limits.triangles, NoIndex / 3);
   if (count > limit)
     throw Error(fmt::format("the file has {} triangles; the limit is {}", count, limit),
-                file.AtLine(0));
+                file.AtLine(0), LiftedBy(&ReadLimits::triangles));
   std::vector<uvec3> triangles;
   triangles.reserve(count);
 

@@ -262,10 +262,11 @@ TEST(MeshObj, Utf16IsRead) {
 
 TEST(MeshObj, LimitsHold) {
   const std::string text = std::string(Square) + "f 1 2 3 4\n";
-  EXPECT_EQ(ReadText("a.obj", text, {.maxTriangles = 1}).error,
-            "a.obj: the file has 2 triangles; the limit is 1");
-  EXPECT_EQ(ReadText("a.obj", text, {.maxTriangles = 2}).error, "");
-  EXPECT_NE(ReadText("a.obj", text, {.maxFileBytes = 10}).error, "");
+  EXPECT_EQ(
+      ReadText("a.obj", text, {.limits = {.triangles = 1}}).error,
+      "a.obj: the file has 2 triangles; the limit is 1; --limit triangles=N raises the limit");
+  EXPECT_EQ(ReadText("a.obj", text, {.limits = {.triangles = 2}}).error, "");
+  EXPECT_NE(ReadText("a.obj", text, {.limits = {.fileBytes = 10}}).error, "");
 }
 
 TEST(MeshObj, ManyCornersOfOnePolygon) {

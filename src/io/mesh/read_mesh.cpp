@@ -25,7 +25,7 @@ FaceSet ReadFaces(MeshFile& file, const std::string& extension) {
 
 scene::Mesh ReadOne(const std::filesystem::path& path, const MeshReadOptions& options,
                     const WarningSink& warn) {
-  MeshFile file{path.string(), ReadFile(path, options.maxFileBytes), options, warn};
+  MeshFile file{path.string(), ReadWithin(path, options.limits), options, warn};
   FaceSet faces = ReadFaces(file, LowerExtension(path));
   if (faces.name.empty()) faces.name = path.stem().string();
   file.bytes = std::string();

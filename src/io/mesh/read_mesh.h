@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "io/read_limits.h"
 #include "scene/scene.h"
 #include "util/error.h"
-#include "util/file.h"
 
 namespace snell::io {
 
@@ -23,9 +23,9 @@ struct MeshReadOptions {
   bool ignoreFileNormals = false;
   bool smoothingGroups =
       false;  // of an OBJ file: they count instead of the angle, where there are some
-  // What a file may demand: its own size, 16 GiB, and the triangles in it, 2^30.
-  std::uint64_t maxFileBytes = DefaultFileLimit;
-  std::uint64_t maxTriangles = std::uint64_t(1) << 30;
+  // Folders besides the file's own where its materials and pictures may lie.
+  std::vector<std::filesystem::path> folders = {};
+  ReadLimits limits = {};
 };
 
 // The meshes in a file, at least one, each with at least one triangle; today always exactly one, as the

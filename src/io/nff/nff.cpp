@@ -233,8 +233,10 @@ scene::Scene ParseNff(std::string_view text, const std::filesystem::path& file,
   return NffReader(text, file.string(), warn).Read();
 }
 
-scene::Scene ReadNff(const std::filesystem::path& path, const WarningSink& warn) {
-  return ParseNff(ReadFile(path, FileLimit), path, warn);
+scene::Scene ReadNff(const std::filesystem::path& path, const WarningSink& warn,
+                     const ReadLimits& limits) {
+  const bool isLower = limits.fileBytes < FileLimit;
+  return ParseNff(isLower ? ReadWithin(path, limits) : ReadFile(path, FileLimit), path, warn);
 }
 
 }  // namespace snell::io

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "io/read_limits.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
@@ -16,7 +17,8 @@ namespace snell::io {
 
 // Read a file of at most 2 GB. Throws Error with the place of each mistake, up to 20 of them; `warn` may be
 // empty. The settings ask for what the format's authors do: 1 sample a pixel, depth 5, no cut-off.
-scene::Scene ReadNff(const std::filesystem::path& path, const WarningSink& warn);
+scene::Scene ReadNff(const std::filesystem::path& path, const WarningSink& warn,
+                     const ReadLimits& limits = {});
 
 // The same for a text in memory; `file` names it in messages.
 scene::Scene ParseNff(std::string_view text, const std::filesystem::path& file,

@@ -7,23 +7,19 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "io/find_file.h"
 #include "io/images.h"
 #include "io/mesh/text.h"
 #include "io/obj/mtl.h"
 #include "io/obj/mtl_material.h"
-#include "scene/framing.h"
 #include "util/file.h"
 
 namespace snell::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-// More is no scene.
-constexpr std::size_t MaxMaterials = 65536;
-constexpr std::uint64_t MaxLibraryBytes = std::uint64_t(1) << 28;
 
 // The single names of "one.mtl my other.mtl": each goes up to its extension.
 std::vector<std::string> SplitNames(std::string_view names) {
@@ -68,7 +64,7 @@ class LibraryReader {
       return;
     }
     if (!seen_.insert(path->string()).second) return;
-    std::string text = ReadFile(*path, MaxLibraryBytes);
+    std::string text = ReadWithin(*path, file_.options.limits, &ReadLimits::mtlBytes);
     MakeUtf8(text, path->string());
     ReadMtl(text, path->string(), materials_, findings_);
   }
@@ -84,24 +80,26 @@ class LibraryReader {
 }  // namespace
 
 std::vector<scene::MaterialIndex> ReadObjMaterials(const ObjParts& parts, const MeshFile& file,
-                                                   bool colored, scene::Scene& scene) {
+                                                   scene::Scene& scene) {
   // Read what is used
   MtlMaterials materials;
   for (const ObjPart& part : parts.parts())
     if (part.material != 0) materials.try_emplace(parts.NameOf(part.material));
-  if (materials.size() > MaxMaterials)
-    throw Error(fmt::format("more than {} materials", MaxMaterials), file.AtLine(0));
+  const ReadLimits& limits = file.options.limits;
+  if (materials.size() > limits.materials)
+    throw Error(fmt::format("more than {} materials", limits.materials), file.AtLine(0),
+                LiftedBy(&ReadLimits::materials));
   Findings findings;
-  const fs::path folder = fs::path(file.name).parent_path();
-  FileFinder finder(folder);
+  std::vector<fs::path> folders = {fs::path(file.name).parent_path()};
+  folders.insert(folders.end(), file.options.folders.begin(), file.options.folders.end());
+  FileFinder finder(folders);
   LibraryReader reader(file, finder, materials, findings);
   for (const ObjLibraries& libraries : parts.libraries()) reader.Read(libraries);
 
   // Make materials in the order of their first use
-  ImageLoader images(folder, file.warn);
+  ImageLoader images(std::move(folders), file.warn, limits);
   MtlConverter converter(scene, images, findings);
   std::unordered_map<std::uint32_t, scene::MaterialIndex> indexOf;
-  scene::MaterialIndex fallback = -1;
   std::vector<scene::MaterialIndex> indices;
   for (const ObjPart& part : parts.parts()) {
     const auto [entry, isNew] = indexOf.try_emplace(part.material, -1);
@@ -113,11 +111,7 @@ std::vector<scene::MaterialIndex> ReadObjMaterials(const ObjParts& parts, const 
       if (!defined && part.material != 0 && !reader.missing())
         findings.Add("material", "not defined in any library", name,
                      file.AtLine(parts.materialsLine()));
-      if (!defined && fallback < 0) {
-        scene.materials.push_back(colored ? scene::ColoredMaterial() : scene::DefaultMaterial());
-        fallback = scene::MaterialIndex(scene.materials.size()) - 1;
-      }
-      entry->second = defined ? scene::MaterialIndex(scene.materials.size()) - 1 : fallback;
+      if (defined) entry->second = scene::MaterialIndex(scene.materials.size()) - 1;
     }
     indices.push_back(entry->second);
   }

@@ -12,9 +12,9 @@
 
 namespace snell::io {
 
-// Adds materials, textures and pictures to the scene. Returns the material of each part, which is a default
-// one where the file names none that is defined; with `colored`, one that shows the vertices' colours.
+// Adds materials, textures and pictures to the scene. Returns the material of each part, -1 where the file
+// names none that is defined.
 std::vector<scene::MaterialIndex> ReadObjMaterials(const ObjParts& parts, const MeshFile& file,
-                                                   bool colored, scene::Scene& scene);
+                                                   scene::Scene& scene);
 
 }  // namespace snell::io

@@ -51,7 +51,8 @@ Grouping GroupParts(const ObjParts& parts, const std::vector<scene::MaterialInde
     std::map<ObjectKey, std::size_t> known;
     for (std::size_t i = 0; i < parts.parts().size(); ++i) {
       const ObjPart& part = parts.parts()[i];
-      const bool glass = scene.materials[std::size_t(materialOf[i])].Refractive();
+      const bool glass =
+          materialOf[i] >= 0 && scene.materials[std::size_t(materialOf[i])].Refractive();
       ObjectKey key{part.object, part.group, materialOf[i]};
       if (words < 2 || glass) key.group = 0;
       if (words < 1) key.object = 0;
@@ -125,6 +126,7 @@ void ScaleHeights(scene::Scene& scene) {
   for (const scene::Object& object : scene.objects) {
     const scene::Mesh& mesh =
         scene.meshes[std::size_t(std::get<scene::MeshGeometry>(object.geometry).mesh)];
+    if (object.material < 0) continue;
     const scene::Material& material = scene.materials[std::size_t(object.material)];
     const bool hasHeights = material.bumpMap.texture >= 0 || material.displacement.texture >= 0;
     if (hasHeights && !mesh.uvs.empty()) AddAreas(mesh, areas[std::size_t(object.material)]);
@@ -139,15 +141,14 @@ void ScaleHeights(scene::Scene& scene) {
 
 scene::Scene ReadObjects(const std::filesystem::path& path, const MeshReadOptions& options,
                          const WarningSink& warn) {
-  MeshFile file{path.string(), ReadFile(path, options.maxFileBytes), options, warn};
+  MeshFile file{path.string(), ReadWithin(path, options.limits), options, warn};
   ObjFile obj = ReadObjFile(file);
   file.bytes = std::string();
   std::vector<FaceRun> runs;
   scene::Mesh mesh = BuildMesh(std::move(obj.faces), file, &runs);
 
   scene::Scene scene;
-  const std::vector<scene::MaterialIndex> materialOf =
-      ReadObjMaterials(obj.parts, file, !mesh.colors.empty(), scene);
+  const std::vector<scene::MaterialIndex> materialOf = ReadObjMaterials(obj.parts, file, scene);
   const Grouping grouping = GroupParts(obj.parts, materialOf, scene, file);
   const std::string stem = path.stem().string();
   if (grouping.objects.size() == 1) {

@@ -154,8 +154,9 @@ TEST(ObjScene, MissingLibrariesGiveOneWarning) {
   EXPECT_EQ(test.error, "");
   EXPECT_EQ(test.warnings, std::vector<std::string>{"a.obj:1: 2 material files not found in the "
                                                     "file's folder, the first one 'one.mtl'"});
-  ASSERT_EQ(scene.materials.size(), 1u);
-  EXPECT_EQ(scene.materials[0].name, "default");
+  EXPECT_TRUE(scene.materials.empty());
+  ASSERT_EQ(scene.objects.size(), 1u);
+  EXPECT_EQ(scene.objects[0].material, -1);
 
   test.Write("one.mtl", "newmtl c\n").WriteTriangles("one.mtl", {"a", "b", "c"}).Read();
   EXPECT_EQ(test.warnings,
@@ -174,7 +175,7 @@ TEST(ObjScene, NothingOutsideTheFolderIsRead) {
        {"../" + name + "/x.mtl", (outside.folder() / "x.mtl").string(), std::string("link.mtl"),
         std::string("LINK.MTL"), std::string("out/x.mtl"), std::string("OUT/X.mtl")}) {
     test.WriteTriangles(library, {"m"});
-    EXPECT_EQ(test.Read().materials.at(0).name, "default") << library;
+    EXPECT_TRUE(test.Read().materials.empty()) << library;
     EXPECT_EQ(test.warnings.size(), 1u) << library;
   }
 }
@@ -187,7 +188,6 @@ TEST(ObjScene, ColorsOfVertices) {
   EXPECT_NEAR(scene.meshes[0].colors[0].y, 0.2140f, 1e-4f);
   EXPECT_EQ(scene.meshes[0].colors[1], scene::vec4(1.0f));
   EXPECT_EQ(scene.meshes[0].colors[2], scene::vec4(1.0f));
-  EXPECT_EQ(scene.materials[0].physical->baseColor.value, vec3(1));
 
   test.Write("a.obj", "v 0 0 0 1 1 x\nv 1 0 0 more\nv 0 1 0 1\nf 1 2 3\n");
   EXPECT_TRUE(test.Read().meshes.at(0).colors.empty());

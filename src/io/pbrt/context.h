@@ -13,21 +13,24 @@
 #include "io/findings.h"
 #include "io/images.h"
 #include "io/pbrt/spectra.h"
+#include "io/read_options.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
 namespace snell::io {
 
 struct PbrtContext {
-  PbrtContext(const std::filesystem::path& path, const WarningSink& sink)
+  PbrtContext(const std::filesystem::path& path, const ReadOptions& how, const WarningSink& sink)
       : file(path.string()),
         folder(path.parent_path()),
+        options(how),
         warn(sink),
-        files(folder),
-        images(folder, warn) {}
+        files(FoldersOf(path, how)),
+        images(FoldersOf(path, how), warn, how.limits) {}
 
   std::string file;
   std::filesystem::path folder;  // names in all files are relative to the first one's
+  ReadOptions options;
   WarningSink warn;
   FileFinder files;
   ImageLoader images;

@@ -6,16 +6,14 @@
 #include <utility>
 
 #include "io/pbrt/reader.h"
-#include "util/file.h"
 
 namespace snell::io {
 
-static constexpr std::uint64_t MaxFileBytes = 2'000'000'000;  // lines and columns fit an int
-
-scene::Scene ReadPbrt(const std::filesystem::path& path, const WarningSink& warn) {
+scene::Scene ReadPbrt(const std::filesystem::path& path, const ReadOptions& options,
+                      const WarningSink& warn) {
   try {
-    const std::string text = ReadFile(path, MaxFileBytes);
-    PbrtContext context(path, warn);
+    const std::string text = ReadWithin(path, options.limits);
+    PbrtContext context(path, options, warn);
     PbrtReader(context).Read(text);
     context.findings.Report(warn);
     return std::move(context.scene);

@@ -6,13 +6,15 @@
 
 #include <filesystem>
 
+#include "io/read_options.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
 namespace snell::io {
 
 // Throws Error with the place of the first mistake. What is approximated or left out goes to `warn`, which may be
-// empty, as one counted warning for each kind. Other files are read from the file's folder and those within only.
-scene::Scene ReadPbrt(const std::filesystem::path& path, const WarningSink& warn);
+// empty, as one counted warning for each kind. Other files are read from the folders that the options allow only.
+scene::Scene ReadPbrt(const std::filesystem::path& path, const ReadOptions& options,
+                      const WarningSink& warn);
 
 }  // namespace snell::io

@@ -15,8 +15,6 @@ namespace snell::io {
 
 static constexpr std::size_t MaxOpenFiles = 32;
 static constexpr std::uint64_t MaxFiles = 10'000;
-static constexpr std::uint64_t MaxBytes = std::uint64_t(4) << 30;
-static constexpr std::uint64_t MaxFileBytes = 2'000'000'000;  // lines and columns fit an int
 
 const std::vector<PbrtReader::Statement>& PbrtReader::Statements() {
   using R = PbrtReader;
@@ -99,7 +97,7 @@ void PbrtReader::ReadFileOf(const std::string& name, const Place& place) {
   std::filesystem::path path;
   std::error_code ignored;
   try {
-    path = ConfinedPath(context_.files.root(), context_.files.root(), name);
+    path = ConfinedPath(FoldersOf(context_.file, context_.options), context_.folder, name);
   } catch (const Error&) {
   }
   if (path.empty() || !std::filesystem::is_regular_file(path, ignored))
@@ -112,7 +110,8 @@ void PbrtReader::ReadFileOf(const std::string& name, const Place& place) {
                 place);
   if (++filesRead_ > MaxFiles)
     throw Error(fmt::format("more than {} are included", Plural(MaxFiles, "file")), place);
-  const std::string text = ReadFile(path, std::min(MaxFileBytes, MaxBytes - bytesRead_));
+  const std::string text =
+      ReadWithin(path, context_.options.limits, &ReadLimits::fileBytes, bytesRead_);
   bytesRead_ += text.size();
   openFiles_.push_back(real);
   ReadText(text, path.string());

@@ -86,6 +86,7 @@ std::optional<PbrtShape> PbrtShapes::File(const PbrtParameters& parameters, bool
   if (isNew) {
     MeshReadOptions options;
     options.smoothDegrees = 0;
+    options.limits = context_.options.limits;
     scene::Mesh mesh = std::move(ReadMesh(*path, options, context_.warn).front());
     const std::string title = mesh.name;
     entry->second =

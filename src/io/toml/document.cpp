@@ -68,8 +68,9 @@ class DocumentReader {
   explicit DocumentReader(Reader& reader) : reader_(reader) {}
 
   void AddFile(const fs::path& path) {
-    const std::string text = ReadFile(path, MaxTomlBytes - bytes_);
-    bytes_ += text.size();
+    const std::string text =
+        ReadWithin(path, reader_.limits, &ReadLimits::tomlBytes, reader_.inclusion->bytes);
+    reader_.inclusion->bytes += text.size();
     reader_.files.push_back(path.string());
     document.files.push_back(ParseToml(text, path.string()));
     const Fields file("the scene file", Node(document.files.back().get()));
@@ -232,7 +233,6 @@ class DocumentReader {
   }
 
   Reader& reader_;
-  std::uint64_t bytes_ = 0;
   std::vector<std::string> open_;
   std::set<std::string> done_;
   bool hasSingleCamera_ = false;

@@ -108,7 +108,8 @@ TEST(TomlIncludes, ReportTheirMistakesBehindThoseOfTheFile) {
 
 TEST(TomlFiles, StayInTheFolderOfTheScene) {
   const std::string hint =
-      "; files are read only from the scene's own folder and the folders in it";
+      "; files are read only from the scene's own folder and the folders in it; --allow "
+      "FOLDER adds others";
   EXPECT_EQ(TestScene("include = \"../x.toml\"\n").Errors(),
             Lines{"scene.toml:1:11: '../x.toml' lies outside the scene's folder" + hint});
   EXPECT_EQ(TestScene("include = \"/etc/passwd\"\n").Errors(),

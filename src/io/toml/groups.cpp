@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "io/toml/place_included.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -41,27 +42,30 @@ class GroupCounter {
     std::uint64_t count = group.lights.size();
     for (const Member& member : group.members) {
       if (member.group >= 0 && !Visit(member.group, depth + 1, member.object.place)) return false;
-      if (member.group >= 0)
-        count += counts_[std::size_t(member.group)];
-      else
-        count +=
-            member.meshes < 0 ? 1 : std::uint64_t(reader_.meshes.MeshesOf(member.meshes).count);
-      count = std::min(count, MaxPlacedThings + 1);
+      count = std::min(count + CountOf(member), reader_.limits.objects + 1);
     }
     counts_[std::size_t(index)] = count;
     state = State::Done;
     return true;
   }
 
-  bool Fits() {
-    if (counts_[0] <= MaxPlacedThings) return true;
-    return Fail(fmt::format("with all groups placed the scene has more than {} objects and lights",
-                            WithCommas(MaxPlacedThings)),
-                groups_[0].place);
+  std::uint64_t CountOf(const Member& member) const {
+    if (member.group >= 0) return counts_[std::size_t(member.group)];
+    if (member.meshes >= 0) return std::uint64_t(reader_.meshes.MeshesOf(member.meshes).count);
+    if (!member.included) return 1;
+    const scene::Scene& file = reader_.inclusions[member.included->number];
+    return file.objects.size() + file.lights.size() + file.cameras.size();
   }
 
-  bool Fail(std::string message, const Place& place) {
-    reader_.Report(std::move(message), place);
+  bool Fits() {
+    if (counts_[0] <= reader_.limits.objects) return true;
+    return Fail(fmt::format("with all groups placed the scene has more than {} objects and lights",
+                            WithCommas(reader_.limits.objects)),
+                groups_[0].place, LiftedBy(&ReadLimits::objects));
+  }
+
+  bool Fail(std::string message, const Place& place, std::string hint = {}) {
+    reader_.Report(std::move(message), place, std::move(hint));
     return false;
   }
 
@@ -69,16 +73,6 @@ class GroupCounter {
   const std::vector<Group>& groups_;
   std::vector<std::uint64_t> counts_;
   std::vector<State> states_;
-};
-
-// What a placement hands down to the members of its group.
-struct Surroundings {
-  Affine toWorld{1.0};
-  std::string name;
-  scene::MaterialIndex material = -1;
-  bool visibleToCamera = true;
-  bool visibleToSecondary = true;
-  bool castsShadow = true;
 };
 
 class Placer {
@@ -93,26 +87,24 @@ class Placer {
       const Surroundings inner = Inside(around, member);
       if (member.group >= 0)
         Place(member.group, inner);
+      else if (member.included)
+        PlaceIncluded(reader_, member, inner);
       else
         PlaceObject(member, inner);
     }
     for (const MemberLight& light : group.lights) {
       scene::Light placed;
       if (!PlaceLight(reader_, light.draft, around.toWorld, light.place, placed)) continue;
-      placed.name = Join(around.name, placed.name);
+      placed.name = JoinNames(around.name, placed.name);
       reader_.scene.lights.push_back(std::move(placed));
     }
   }
 
  private:
-  static std::string Join(const std::string& outer, const std::string& inner) {
-    return outer.empty() || inner.empty() ? outer + inner : outer + "/" + inner;
-  }
-
   static Surroundings Inside(const Surroundings& around, const Member& member) {
     const scene::Object& object = member.object;
     return {around.toWorld * object.toWorld,
-            Join(around.name, object.name),
+            JoinNames(around.name, object.name),
             object.material >= 0 ? object.material : around.material,
             around.visibleToCamera && object.visibleToCamera,
             around.visibleToSecondary && object.visibleToSecondary,

@@ -4,6 +4,7 @@
 // allowed. The map of a member of a group is outer · inner.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,16 @@
 
 namespace snell::io {
 
-// Groups within groups, and what all placements together may come to.
+// Groups within groups.
 inline constexpr int MaxGroupDepth = 64;
-inline constexpr std::uint64_t MaxPlacedThings = 10'000'000;
 
-// An object as its table says: a shape, meshes of the library, or a placed group.
+// An object as its table says: a shape, meshes of the library, a placed group, or a file with all
+// that it holds.
 struct Member {
   scene::Object object;  // `toWorld` is its own map; `material` is -1 if it does not say
   int meshes = -1;       // of the reader's mesh library
   int group = -1;        // the placed one
+  std::shared_ptr<IncludedFile> included = {};
 };
 
 struct MemberLight {

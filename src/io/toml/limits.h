@@ -13,9 +13,6 @@
 
 namespace snell::io {
 
-// Bytes of all TOML files of a scene together. A byte of text becomes about 20 bytes of memory.
-inline constexpr std::uint64_t MaxTomlBytes = std::uint64_t(128) << 20;
-
 // Parts of a dotted key, and open brackets and braces. A scene needs 3 and 7.
 inline constexpr int MaxKeyParts = 16;
 inline constexpr std::size_t MaxBrackets = 32;

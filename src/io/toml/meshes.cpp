@@ -18,16 +18,16 @@ int MeshLibrary::Add(scene::Mesh mesh) {
   return int(items_.size()) - 1;
 }
 
-int MeshLibrary::Request(const std::filesystem::path& path, float smoothDegrees, bool ignoreNormals,
-                         const Place& place) {
+int MeshLibrary::Request(const std::filesystem::path& path, std::optional<float> smooth,
+                         bool ignoreNormals, const Place& place) {
   std::error_code ignored;
   const auto real = std::filesystem::weakly_canonical(path, ignored);
-  const auto key = std::tuple(real.string(), smoothDegrees, ignoreNormals);
+  const auto key = std::tuple(real.string(), smooth.value_or(-1), ignoreNormals);
   const auto [request, isNew] = requests_.emplace(key, int(items_.size()));
   if (isNew) {
     Item item;
     item.path = path;
-    item.smoothDegrees = smoothDegrees;
+    item.smooth = smooth;
     item.ignoreNormals = ignoreNormals;
     item.place = place;
     files_.push_back(int(items_.size()));
@@ -36,9 +36,11 @@ int MeshLibrary::Request(const std::filesystem::path& path, float smoothDegrees,
   return request->second;
 }
 
-void MeshLibrary::LoadFile(Item& item) {
+void MeshLibrary::LoadFile(Item& item, const ReadLimits& limits) {
   MeshReadOptions options;
-  options.smoothDegrees = item.smoothDegrees;
+  options.limits = limits;
+  if (item.smooth) options.smoothDegrees = *item.smooth;
+  options.smoothingGroups = !item.smooth;
   options.ignoreFileNormals = item.ignoreNormals;
   try {
     item.meshes = ReadMesh(item.path, options,
@@ -53,9 +55,9 @@ void MeshLibrary::LoadFile(Item& item) {
 }
 
 std::vector<Diagnostic> MeshLibrary::Load(std::vector<scene::Mesh>& meshes,
-                                          const WarningSink& warn) {
-  ParallelInOrder(files_.size(), [this](std::uint64_t i, int) {
-    LoadFile(items_[std::size_t(files_[std::size_t(i)])]);
+                                          const ReadLimits& limits, const WarningSink& warn) {
+  ParallelInOrder(files_.size(), [&](std::uint64_t i, int) {
+    LoadFile(items_[std::size_t(files_[std::size_t(i)])], limits);
   });
 
   // Collect in the order of the scene, whatever was ready first

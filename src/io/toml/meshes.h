@@ -7,10 +7,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "io/read_limits.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
@@ -21,13 +23,14 @@ class MeshLibrary {
   // A mesh that is here already. Returns its number in the library.
   int Add(scene::Mesh mesh);
 
-  // A file to load; `smoothDegrees` and `ignoreNormals` as in read_mesh.h, `place` is where it is named
-  // first. Returns the file's number in the library.
-  int Request(const std::filesystem::path& path, float smoothDegrees, bool ignoreNormals,
+  // A file to load; without `smooth`, an angle in degrees, smoothing groups count first. `place` is where it is
+  // named first. Returns the file's number in the library.
+  int Request(const std::filesystem::path& path, std::optional<float> smooth, bool ignoreNormals,
               const Place& place);
 
   // Load all files and move all meshes to `meshes`. Returns what went wrong, at the places of the requests.
-  std::vector<Diagnostic> Load(std::vector<scene::Mesh>& meshes, const WarningSink& warn);
+  std::vector<Diagnostic> Load(std::vector<scene::Mesh>& meshes, const ReadLimits& limits,
+                               const WarningSink& warn);
 
   // After Load: the meshes of a number, a range of indices.
   struct Range {
@@ -39,7 +42,7 @@ class MeshLibrary {
  private:
   struct Item {
     std::filesystem::path path;
-    float smoothDegrees = 0;
+    std::optional<float> smooth;
     bool ignoreNormals = false;
     Place place;
     std::vector<scene::Mesh> meshes;
@@ -48,7 +51,7 @@ class MeshLibrary {
     Range range;
   };
 
-  static void LoadFile(Item& item);
+  static void LoadFile(Item& item, const ReadLimits& limits);
 
   std::vector<Item> items_;
   std::vector<int> files_;  // the items that are to be loaded

@@ -17,7 +17,11 @@ namespace fs = std::filesystem;
 static constexpr std::size_t MaxKeptFindings = 10'000;
 static constexpr std::size_t MaxQuoted = 60;
 
-Reader::Reader(fs::path sceneFile) : root_(sceneFile.parent_path()) {
+Reader::Reader(const fs::path& sceneFile, const ReadOptions& options)
+    : limits(options.limits),
+      inclusion(options.inclusion ? options.inclusion : std::make_shared<Inclusion>()),
+      folders(FoldersOf(sceneFile, options)),
+      time(options.time) {
   scene.name = sceneFile.filename().string();
 }
 
@@ -67,7 +71,7 @@ bool Reader::FindFile(const Node& name, fs::path& path) {
   if (!text) return Refuse(name, "the name of a file");
   const Place place = name.place();
   try {
-    path = ConfinedPath(root_, fs::path(place.file).parent_path(), *text);
+    path = ConfinedPath(folders, fs::path(place.file).parent_path(), *text);
   } catch (const Error& error) {
     Report(error.diagnostics().front().message, place, error.diagnostics().front().hint);
     return false;

@@ -6,11 +6,14 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "io/toml/inclusions.h"
 #include "io/toml/meshes.h"
 #include "io/toml/node.h"
 #include "scene/scene.h"
@@ -23,7 +26,7 @@ class Reader {
   // Findings that one Error shows; the rest are counted.
   static constexpr std::size_t MaxFindings = 20;
 
-  explicit Reader(std::filesystem::path sceneFile);
+  Reader(const std::filesystem::path& sceneFile, const ReadOptions& options);
 
   // --- Findings
 
@@ -45,13 +48,19 @@ class Reader {
 
   // --- Files
 
-  // The file that a value names, which must lie in the scene's folder and exist. Reports if not.
+  // The file that a value names, which must exist and lie where files may be read. Reports if not.
   bool FindFile(const Node& name, std::filesystem::path& path);
 
   // --- What is being read
 
   scene::Scene scene;
   MeshLibrary meshes;
+  InclusionLibrary inclusions;
+  ReadLimits limits;
+  std::shared_ptr<Inclusion> inclusion;        // never null
+  std::vector<std::filesystem::path> folders;  // that may be read from, the scene's first
+  std::optional<double> time;                  // for animations of included files
+  bool animated = false;                       // there is one
   std::map<std::string, scene::TextureIndex, std::less<>> textures;
   std::map<std::string, scene::MaterialIndex, std::less<>> materials;
   std::map<std::string, int, std::less<>> groups;
@@ -60,7 +69,6 @@ class Reader {
   bool filesMissing = false;       // a file could not be read: unknown names say nothing
 
  private:
-  std::filesystem::path root_;
   void SortByPlace(std::vector<Diagnostic>& list) const;
 
   std::vector<Diagnostic> findings_;

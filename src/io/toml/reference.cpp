@@ -68,7 +68,8 @@ multiplies it: `{ texture = "marble", tint = "#ffd0a0" }`. Reflectances lie betw
 lights, of the environment and of `emission` may be of any strength.
 
 **Files** are named relative to the file that names them and must lie in the folder of the scene or in
-folders inside it. Includes may be nested 16 deep; a file that is included twice counts once. No material,
+folders inside it, or in one that `--allow FOLDER` adds; symbolic links that lead elsewhere are refused.
+Includes may be nested 16 deep; a file that is included twice counts once. No material,
 texture or group may be defined twice.
 
 **Transforms** are given by `scale`, `rotate` and `translate`, which are applied in this order, or by a list
@@ -191,7 +192,7 @@ std::string LinkTo(const std::string& heading) {
   return fmt::format("[{}](#{})", heading, anchor);
 }
 
-std::string Contents() {
+std::string TableOfContents() {
   std::string text = "Contents: " + LinkTo("Values");
   for (const Section* section : AllSections()) text += ", " + LinkTo(TitleOf(*section));
   return text + ", " + LinkTo("Ready materials") + ".\n\n";
@@ -213,7 +214,7 @@ std::string PresetTable() {
 
 std::string SceneReferenceMarkdown() {
   std::string page = Introduction;
-  page += Contents();
+  page += TableOfContents();
   page += Values;
   for (const Section* section : AllSections()) page += SectionText(*section);
   return page + PresetTable();

@@ -28,7 +28,7 @@ TEST(TomlReference, PageStartsWithASceneThatCanBeRead) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "snell-reference-test.toml";
   WriteFile(file, page.substr(begin, page.find("```\n", begin) - begin));
-  const scene::Scene scene = ReadToml(file, {});
+  const scene::Scene scene = ReadToml(file, {}, {}).scene;
   std::filesystem::remove(file);
   EXPECT_EQ(scene.objects.size(), 2u);
   EXPECT_EQ(scene.lights.size(), 1u);

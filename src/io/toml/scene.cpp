@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -31,8 +32,12 @@ class SceneReader {
     reader_.ThrowFindings();
 
     // Large files are loaded only when the rest is known to be right
-    for (Diagnostic& error : reader_.meshes.Load(reader_.scene.meshes, warn))
+    for (Diagnostic& error : reader_.meshes.Load(reader_.scene.meshes, reader_.limits, warn))
       reader_.Report(std::move(error.message), std::move(error.place), std::move(error.hint));
+    reader_.inclusions.Load(reader_, warn);
+    for (Group& group : groups_)
+      for (Member& member : group.members)
+        if (member.included) ReplaceMaterials(reader_, *member.included);
     reader_.ThrowFindings();
     PlaceAll(reader_, groups_);
     reader_.ThrowFindings();
@@ -110,7 +115,9 @@ class SceneReader {
       const auto placed = reader_.groups.find(draft.group);
       group.members.push_back(
           {std::move(draft.object), draft.meshes,
-           placed == reader_.groups.end() || draft.group.empty() ? -1 : placed->second});
+           placed == reader_.groups.end() || draft.group.empty() ? -1 : placed->second,
+           draft.included.number < 0 ? nullptr
+                                     : std::make_shared<IncludedFile>(std::move(draft.included))});
     }
     for (const Fields& fields : lights) {
       LightDraft draft;
@@ -145,13 +152,30 @@ class SceneReader {
   std::vector<Group> groups_;
 };
 
+// Says that a file is being read while it lives.
+class OpenScope {
+ public:
+  OpenScope(Inclusion& inclusion, const std::filesystem::path& path) : inclusion_(inclusion) {
+    std::error_code ignored;
+    inclusion_.open.push_back(std::filesystem::weakly_canonical(path, ignored).string());
+  }
+  ~OpenScope() { inclusion_.open.pop_back(); }
+  OpenScope(const OpenScope&) = delete;
+  OpenScope& operator=(const OpenScope&) = delete;
+
+ private:
+  Inclusion& inclusion_;
+};
+
 }  // namespace
 
-scene::Scene ReadToml(const std::filesystem::path& path, const WarningSink& warn) {
-  Reader reader(path);
+Contents ReadToml(const std::filesystem::path& path, const ReadOptions& options,
+                  const WarningSink& warn) {
+  Reader reader(path, options);
+  const OpenScope scope(*reader.inclusion, path);
   const Document document = ReadDocument(reader, path);
   SceneReader(reader, document).Read(warn);
-  return std::move(reader.scene);
+  return {std::move(reader.scene), reader.animated};
 }
 
 }  // namespace snell::io

@@ -7,15 +7,17 @@
 #include <filesystem>
 #include <string>
 
+#include "io/contents.h"
 #include "scene/scene.h"
 #include "util/error.h"
 
 namespace snell::io {
 
-// Read a scene. Included files and meshes are read only from the folder of the scene file and the folders
-// in it. Throws one Error with all mistakes in all files, in the order of the files; of more than twenty the
+// Read a scene. Other files are read only from the folder of the scene file, the folders in it and those that
+// the options add. Throws one Error with all mistakes in all files, in the order of the files; of more than twenty the
 // rest are counted. Warnings go to `warn`, which may be empty.
-scene::Scene ReadToml(const std::filesystem::path& path, const WarningSink& warn);
+Contents ReadToml(const std::filesystem::path& path, const ReadOptions& options,
+                  const WarningSink& warn);
 
 // docs/scene-reference.md: the reference page of the language, in Markdown.
 std::string SceneReferenceMarkdown();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// [[object]]: what all objects have, and the sources of geometry beside the shapes: mesh files, meshes
-// written in the scene, and placed groups.
+// [[object]]: what all objects have, and the sources of geometry beside shapes and files: meshes written
+// in the scene, and placed groups.
 #include <fmt/format.h>
 
 #include "io/mesh/normals.h"
-#include "io/mesh/read_mesh.h"
 #include "io/toml/sections.h"
 
 namespace snell::io {
@@ -13,11 +12,6 @@ namespace snell::io {
 using scene::Object;
 
 // --- Checks -------------------------------------------------------------------------------------------------
-
-static void FinishFile(Reader& reader, const Fields& fields, ObjectDraft& draft) {
-  draft.meshes =
-      reader.meshes.Request(draft.file, draft.smooth, draft.ignoreNormals, fields.PlaceOf("file"));
-}
 
 static void FinishInlineMesh(Reader& reader, const Fields& fields, ObjectDraft& draft) {
   scene::Mesh mesh = BuildMesh(draft.mesh);
@@ -62,7 +56,7 @@ static Type<std::string> GroupName() {
   return type;
 }
 
-static KeyOf<ObjectDraft> SubdivisionKey() {
+KeyOf<ObjectDraft> SubdivisionKey() {
   Type<scene::Subdivision> type = TableOf(SubdivisionSection, "a table with a scheme or levels");
   type.read = [read = type.read](Reader& reader, const Node& value, scene::Subdivision& record) {
     record.scheme = scene::SubdivisionScheme::CatmullClark;
@@ -76,24 +70,6 @@ static KeyOf<ObjectDraft> SubdivisionKey() {
       .Standard("none")
       .Example("{ scheme = \"catmull-clark\", levels = 3 }")
       .Not({"subdivide", "subdiv"});
-}
-
-static VariantOf<ObjectDraft> FileVariant() {
-  const auto file = Field("file", &ObjectDraft::file, SceneFile("bunny.ply"),
-                          "The file, relative to the one that names it.")
-                        .Required();
-  const auto smooth =
-      Field("smooth", &ObjectDraft::smooth, Number({0, 180}, "degrees"),
-            "Without normals in the file, edges between faces that meet at a smaller angle look "
-            "round; 0: flat.")
-          .Not({"crease", "crease_angle", "smoothing"});
-  const auto ignore = Field("ignore_normals", &ObjectDraft::ignoreNormals, Boolean(),
-                            "Whether to drop the file's own normals.");
-  return VariantOf<ObjectDraft>(
-             "file", fmt::format("The triangles of a mesh file ({}).", KnownMeshExtensions()),
-             {file, smooth, ignore, SubdivisionKey()})
-      .ByPresence()
-      .Checked(FinishFile);
 }
 
 // A name is the mistake that is made most often here.
@@ -133,7 +109,8 @@ static Keys<Object> CommonKeys() {
   return {
       Field("name", &Object::name, Text("ball"), "For messages.").Standard("none"),
       Field("material", &Object::material, MaterialNameOrTable(),
-            "What the surface is made of; for a group, of those members that do not say.")
+            "What the surface is made of; for a group, of those members that do not say; for a "
+            "file, in place of all its materials.")
           .Standard("light grey")
           .Not({"color", "colour", "diffuse", "shader", "texture", "mat"}),
       Field("visible_to_camera", &Object::visibleToCamera, Boolean(),

@@ -64,7 +64,8 @@ static void LoadPicture(Reader& reader, const Fields& fields, TextureDraft& draf
   const Place place = fields.PlaceOf("file");
   try {
     const ImageUse use = draft.data ? ImageUse::Data : ImageUse::Color;
-    reader.scene.images.push_back(DecodeTexels(ReadFile(draft.file), draft.file.string(), use));
+    reader.scene.images.push_back(DecodeTexels(ReadWithin(draft.file, reader.limits),
+                                               draft.file.string(), use, reader.limits));
     draft.texture.image = int(reader.scene.images.size()) - 1;
   } catch (const Error& error) {
     for (const Diagnostic& cause : error.diagnostics())

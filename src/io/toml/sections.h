@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -159,13 +160,29 @@ struct MeshDraft {
   float smooth = 40;  // degrees
 };
 
+// A file that an object takes in with all that it holds (toml_section_file.cpp).
+struct IncludedFile {
+  int number = -1;  // of the reader's inclusions
+  bool lights = true;
+  bool cameras = false;
+  float lightScale = 1;
+  // The materials for those of these names; later by index in the reader's scene
+  struct Replacement {
+    std::string name;
+    scene::MaterialIndex material = -1;
+    Place place;
+  };
+  std::vector<Replacement> materials;
+  std::map<scene::MaterialIndex, scene::MaterialIndex> replaced;
+};
+
 struct ObjectDraft {
   scene::Object object;
   Placement placement;
   MeshDraft mesh;
   std::filesystem::path file;
-  float smooth = 40;  // degrees
-  bool ignoreNormals = false;
+  ReadOptions fileOptions;
+  IncludedFile included;
   std::string group;
   int meshes = -1;  // of the reader's mesh library
 };
@@ -173,8 +190,14 @@ struct ObjectDraft {
 const SectionOf<MeshDraft>& MeshSection();
 const SectionOf<ObjectDraft>& ObjectSection();
 std::vector<VariantOf<ObjectDraft>> ShapeVariants();
+VariantOf<ObjectDraft> FileVariant();
+KeyOf<ObjectDraft> SubdivisionKey();
 Keys<MeshDraft> TriangleKeys();
 void CheckTriangle(Reader& reader, const Fields& fields, MeshDraft& mesh);
+
+// After the inclusions are loaded: find the materials that a file's own give way to. Reports names that it does
+// not have.
+void ReplaceMaterials(Reader& reader, IncludedFile& file);
 
 // The mesh of a draft that has passed its checks.
 scene::Mesh BuildMesh(const MeshDraft& draft);

@@ -44,9 +44,10 @@ class TestScene {
   // The scene; warnings are collected.
   scene::Scene Read() {
     warnings.clear();
-    return ReadToml(folder_ / "scene.toml", [this](const Diagnostic& warning) {
-      warnings.push_back(Local(ToString(warning)));
-    });
+    return ReadToml(
+               folder_ / "scene.toml", options,
+               [this](const Diagnostic& warning) { warnings.push_back(Local(ToString(warning))); })
+        .scene;
   }
 
   // The lines of the error that reading gives, with places relative to the folder; none if it succeeds.
@@ -61,6 +62,7 @@ class TestScene {
     return lines;
   }
 
+  ReadOptions options;
   std::vector<std::string> warnings;
 
  private:

@@ -265,7 +265,8 @@ TEST(TomlGroups, StayWithinTheirLimits) {
   ASSERT_EQ(tooMany.size(), 1u);
   EXPECT_EQ(
       tooMany[0],
-      "scene.toml: with all groups placed the scene has more than 10,000,000 objects and lights");
+      "scene.toml: with all groups placed the scene has more than 10,000,000 objects and lights; "
+      "--limit objects=N raises the limit");
 
   // The same without anything in the end
   EXPECT_TRUE(TestScene(text + "[group.g40]\n").Read().objects.empty());
