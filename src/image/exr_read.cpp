@@ -186,7 +186,11 @@ Image ReadDataWindow(Imf::MultiPartInputFile& file, int part, const ColorChannel
 }
 
 // The same for luminance with subsampled chroma, which the library turns to RGB.
-Image ReadLuminanceChroma(const Source& source, const ColorChannels& channels) {
+Image ReadLuminanceChroma(const Imf::Header& header, const ColorChannels& channels,
+                          const Source& source) {
+  // The library throws this too, but then loses its memory
+  if (Imf::hasChromaticities(header)) Imf::RGBtoXYZ(Imf::chromaticities(header), 1);
+
   MemoryStream stream(source);
   Imf::RgbaInputFile file(stream, 0);
   const Box2i window = file.dataWindow();
@@ -257,7 +261,7 @@ Image Decode(const Source& source) {
     throw source.Fault("multi-part luminance/chroma EXR pictures cannot be read");
 
   Image data = channels.coding == Coding::LuminanceChroma
-                   ? ReadLuminanceChroma(source, channels)
+                   ? ReadLuminanceChroma(header, channels, source)
                    : ReadDataWindow(file, part, channels, source);
   if (source.options.colorSpace != ColorSpace::Raw && Imf::hasChromaticities(header)) {
     const Imf::Chromaticities& c = Imf::chromaticities(header);
