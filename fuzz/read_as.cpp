@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "fuzz/check.h"
+#include "fuzz/png_checksums.h"
 #include "image/read.h"
 #include "io/read_scene.h"
 #include "support/scratch_folder.h"
@@ -38,8 +39,9 @@ void ReadScene(const std::string& target, std::string_view bytes) {
 }
 
 void ReadPicture(const std::string& target, std::string_view bytes) {
+  const std::string file = target == "png" ? WithPngChecksums(bytes) : std::string(bytes);
   image::Metadata metadata;
-  CheckPicture(image::DecodeImage(bytes, "a." + target, {}, &metadata), metadata);
+  CheckPicture(image::DecodeImage(file, "a." + target, {}, &metadata), metadata);
 }
 
 }  // namespace

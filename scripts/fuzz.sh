@@ -7,7 +7,7 @@
 # What it learns stays in build/fuzz-corpus, where the next run begins. Inputs that break a reader are
 # put into build/fuzz-findings with a report. With --short, as in ./test, each runs for 2 seconds, two at
 # a time, always from the same random number, and learns nothing. Exits 0 if nothing was found, 1 if
-# something was, 77 without clang.
+# something was, 2 for a name it does not know, 77 without clang.
 set -euo pipefail
 
 say() { printf 'fuzz.sh: %s\n' "$@"; }
@@ -24,6 +24,9 @@ elif [[ ${1:-} =~ ^[0-9]+$ ]]; then
 fi
 targets=("$@")
 if (($# == 0)); then mapfile -t targets < <(ls fuzz/corpus); fi
+for target in "${targets[@]}"; do
+  [[ -d fuzz/corpus/$target ]] || { say "there is no target '$target'" && exit 2; }
+done
 
 # The files that are read lie in memory, where that can be had.
 memory=/dev/shm
