@@ -15,7 +15,7 @@ program_packages=(g++ cmake ninja-build glslc spirv-tools libtbb-dev libglm-dev 
   libtomlplusplus-dev libcli11-dev libopenexr-dev libpng-dev libjpeg-dev libwebp-dev
   libtinyobjloader-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev
   libosd-dev libassimp-dev)
-test_packages=(libgtest-dev libembree-dev libvulkan-dev mesa-vulkan-drivers)
+test_packages=(libgtest-dev libembree-dev libvulkan-dev mesa-vulkan-drivers clang libclang-rt-dev)
 
 # Print the packages' names for other systems, where nothing is installed.
 suggest_packages() {
@@ -35,7 +35,8 @@ snell: without apt, please install what is missing of these packages by hand:
               openexr libpng jpeg-turbo webp nlohmann-json draco meshoptimizer opensubdiv assimp;
               and from their sources: tinyobjloader tinygltf
             for the tests: googletest vulkan-headers vulkan-loader molten-vk
-  Embree 3 (not 4), where there is a package, adds the benchmark of rays.
+  Embree 3 (not 4), where there is a package, adds the benchmark of rays; clang with its runtime
+  (Fedora: clang compiler-rt; Arch: clang compiler-rt; Homebrew: llvm) adds the fuzzers.
 END
 }
 

@@ -120,6 +120,13 @@ void CheckPart(const Imf::Header& header, const ColorChannels& channels, const S
   source.CheckSize(WidthOf(data), HeightOf(data));
   const std::uint64_t pixels = std::uint64_t(WidthOf(data)) * std::uint64_t(HeightOf(data));
 
+  // A small crop of a picture of 8K is one, of a far larger one is damage
+  constexpr std::uint64_t CropOf = std::uint64_t(1) << 25;
+  const std::uint64_t framed = std::uint64_t(WidthOf(header.displayWindow())) *
+                               std::uint64_t(HeightOf(header.displayWindow()));
+  if (framed > std::max(16 * pixels, CropOf))
+    throw source.Fault("the display window of the EXR is far larger than its data window");
+
   // How well a format can pack: deflate 1032 to 1, which DWA applies to what is already 1 in 64
   std::uint64_t bitsPerPixel = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
@@ -186,7 +193,11 @@ Image ReadDataWindow(Imf::MultiPartInputFile& file, int part, const ColorChannel
 }
 
 // The same for luminance with subsampled chroma, which the library turns to RGB.
-Image ReadLuminanceChroma(const Source& source, const ColorChannels& channels) {
+Image ReadLuminanceChroma(const Imf::Header& header, const ColorChannels& channels,
+                          const Source& source) {
+  // The library throws this too, but then loses its memory
+  if (Imf::hasChromaticities(header)) Imf::RGBtoXYZ(Imf::chromaticities(header), 1);
+
   MemoryStream stream(source);
   Imf::RgbaInputFile file(stream, 0);
   const Box2i window = file.dataWindow();
@@ -257,7 +268,7 @@ Image Decode(const Source& source) {
     throw source.Fault("multi-part luminance/chroma EXR pictures cannot be read");
 
   Image data = channels.coding == Coding::LuminanceChroma
-                   ? ReadLuminanceChroma(source, channels)
+                   ? ReadLuminanceChroma(header, channels, source)
                    : ReadDataWindow(file, part, channels, source);
   if (source.options.colorSpace != ColorSpace::Raw && Imf::hasChromaticities(header)) {
     const Imf::Chromaticities& c = Imf::chromaticities(header);

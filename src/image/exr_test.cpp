@@ -203,6 +203,13 @@ TEST(Exr, PlacesTheDataWindowInTheDisplayWindow) {
   for (const vec3& pixel : elsewhere.pixels) EXPECT_EQ(pixel, vec3(0));
 }
 
+TEST(Exr, ASmallCropTakesNoLargeMemory) {
+  const TemporaryFolder folder;
+  const Box2i crop(V2i(1, 1), V2i(1, 1));
+  WriteForeign(folder / "a.exr", Imf::Header(Box2i(V2i(0, 0), V2i(16383, 16382)), crop), {"Y"});
+  EXPECT_NE(ErrorOf([&] { ReadImage(folder / "a.exr"); }).find("far larger"), std::string::npos);
+}
+
 TEST(Exr, ConvertsChromaticitiesUnlessRaw) {
   const TemporaryFolder folder;
   Imf::Header header(4, 2);

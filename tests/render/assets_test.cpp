@@ -91,7 +91,7 @@ std::int64_t TrianglesIn(const fs::path& path) {
     while (std::getline(lines, line)) {
       std::istringstream words(line);
       std::string word;
-      if (line.find('\\') != std::string::npos) return -1;
+      if (line.find('\\') != std::string::npos || line.find('\0') != std::string::npos) return -1;
       if (!(words >> word) || word != "f") continue;
       for (triangles -= 2; words >> word && word[0] != '#';) ++triangles;
     }

@@ -50,9 +50,10 @@ class PlyBody {
 
   FaceSet Read() {
     for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) continue;
       if (element.name == "vertex") {
         ReadVertices(element);
+      } else if (element.properties.empty()) {
+        continue;
       } else if (element.name == "face") {
         ReadFaces(element);
       } else if (element.name == "tristrips") {

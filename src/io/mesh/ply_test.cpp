@@ -202,6 +202,8 @@ TEST(MeshPly, HeaderErrorsNameTheLine) {
   ExpectError("float x", "real x", ":6: unknown type 'real'");
   ExpectError("float x", "float", ":6: a property needs a name");
   ExpectError("float x", "float w", ":5: the vertices have no property 'x'");
+  ExpectError("property float x\nproperty float y\nproperty float z\n", "",
+              ":5: the vertices have no property 'x'");
   ExpectError("uchar int", "float int", ":10: the length of a list must have an integer type");
   ExpectError("element face", "element vertex", ":9: a second element 'vertex'");
   ExpectError("vertex_indices", "corners", ":9: the elements 'face' have no list 'vertex_indices'");

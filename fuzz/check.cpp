@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/check.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "scene/bounds.h"
+#include "util/check.h"
+
+namespace snell::fuzz {
+
+namespace {
+
+template <typename Vector>
+bool AllFinite(const std::vector<Vector>& vectors) {
+  for (const Vector& v : vectors)
+    for (int i = 0; i < Vector::length(); ++i)
+      if (!std::isfinite(v[i])) return false;
+  return true;
+}
+
+void CheckMesh(const scene::Mesh& mesh) {
+  CHECK(AllFinite(mesh.positions));
+  CHECK(AllFinite(mesh.normals));
+  CHECK(AllFinite(mesh.uvs));
+  CHECK(AllFinite(mesh.uvs1));
+  CHECK(AllFinite(mesh.tangents));
+  CHECK(AllFinite(mesh.colors));
+}
+
+}  // namespace
+
+void CheckScene(const scene::Scene& scene) {
+  for (const scene::Mesh& mesh : scene.meshes) CheckMesh(mesh);
+  for (const scene::Image& image : scene.images)
+    for (const float value : image.floats) CHECK(std::isfinite(value));
+  const scene::Box3 box = scene::BoundsOf(scene);
+  CHECK(box.Empty() || std::isfinite(box.Size().x + box.Size().y + box.Size().z));
+}
+
+void CheckPicture(const image::Image& picture, const image::Metadata& metadata) {
+  CHECK(picture.width > 0 && picture.height > 0);
+  const std::size_t count = std::size_t(picture.width) * std::size_t(picture.height);
+  CHECK(picture.pixels.size() == count);
+  CHECK(picture.alpha.empty() || picture.alpha.size() == count);
+  for (const auto& [key, value] : metadata) CHECK(!key.empty());
+}
+
+void CheckText(std::string_view message) {
+  constexpr std::size_t Long = 1 << 20;
+  CHECK(!message.empty() && message.size() < Long);
+}
+
+}  // namespace snell::fuzz
