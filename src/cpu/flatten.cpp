@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "bvh/bounds.h"
+#include "cpu/albedo_tables.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
@@ -24,7 +25,7 @@ std::uint64_t FlatScene::MemoryBytes() const {
   return bytes(objects) + bytes(shapes) + bytes(instances) + bytes(meshes) + bytes(triangles) +
          bytes(positions) + bytes(normals) + bytes(uvs) + bytes(tangents) + bytes(colors) +
          bytes(materials) + bytes(terms) + bytes(physicals) + bytes(textures) + bytes(images) +
-         bytes(texels) + bytes(lights);
+         bytes(texels) + bytes(lights) + bytes(albedos);
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -99,7 +100,13 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
 
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
-  FlattenObjects(scene, settings.tintedShadows, flat);
+  const bool isPath = settings.integrator == scene::Integrator::Path;
+  if (isPath) flat.albedos = AlbedoTables();
+  FlattenObjects(scene,
+                 isPath                   ? ShadowRays::Path
+                 : settings.tintedShadows ? ShadowRays::Tinted
+                                          : ShadowRays::Opaque,
+                 flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -32,6 +32,7 @@ struct FlatScene {
   std::vector<kernel::Image> images;
   std::vector<std::uint32_t> texels;
   std::vector<kernel::Light> lights;
+  std::vector<float> albedos;  // of the path tracer; empty for others
   std::uint32_t worldTriangles = 0;
 
   // Views for the BVH; this scene must not move while they are used.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Whitted integrator in C++ with the GPU's plainest search, src/gpu/shaders/brute_force.glsl, compiled
+// The integrators in C++ with the GPU's plainest search, src/gpu/shaders/brute_force.glsl, compiled
 // as C++. It stands between the two devices: it shares the search with the one and the language with the
 // other, and it counts the passes through loops, of which software drivers allow an invocation 65,535
 // before they silently end all its loops.
@@ -29,6 +29,7 @@ struct BruteForceSample {
       loops;  // passes through the bodies of all loops, the kernel's and the search's
 };
 
-BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample);
+BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, scene::Integrator integrator,
+                                    std::uint32_t sample);
 
 }  // namespace snell::agree
