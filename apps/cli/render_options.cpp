@@ -53,7 +53,7 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,
       "Only the samples from number A up to B, which is left out");
-  AddChoice(command, "--integrator", "whitted", a.integrator, "How light is followed");
+  AddChoice(command, "--integrator", "whitted|path", a.integrator, "How light is followed");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,

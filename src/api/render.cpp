@@ -29,9 +29,13 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
   settings.spp = options.spp.value_or(settings.spp);
   settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
   settings.minContribution = options.minContribution.value_or(settings.minContribution);
-  if (options.integrator && *options.integrator != "whitted")
-    throw Error(fmt::format("there is no integrator '{}'", *options.integrator), {},
-                "the integrators are: whitted");
+  if (options.integrator) {
+    const bool isPath = *options.integrator == "path";
+    if (!isPath && *options.integrator != "whitted")
+      throw Error(fmt::format("there is no integrator '{}'", *options.integrator), {},
+                  "the integrators are: whitted, path");
+    settings.integrator = isPath ? scene::Integrator::Path : scene::Integrator::Whitted;
+  }
   scene::Validate(settings);
   return settings;
 }

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "bvh/bounds.h"
+#include "cpu/albedo_tables.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
@@ -33,7 +34,7 @@ std::uint64_t FlatScene::MemoryBytes() const {
   return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
          BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
          BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + TextureBytes();
+         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -112,7 +113,14 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  FlattenObjects(scene, finer, settings.tintedShadows, flat);
+  flat.integrator = settings.integrator;
+  const bool isPath = settings.integrator == scene::Integrator::Path;
+  if (isPath) flat.albedos = AlbedoTables();
+  FlattenObjects(scene, finer,
+                 isPath                   ? ShadowRays::Path
+                 : settings.tintedShadows ? ShadowRays::Tinted
+                                          : ShadowRays::Opaque,
+                 flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -15,6 +15,7 @@ namespace snell::cpu {
 
 // The buffers that the kernel reads (cpu/kernel.h, gpu/shaders/buffers.glsl).
 struct FlatScene {
+  scene::Integrator integrator = scene::Integrator::Whitted;
   kernel::RenderParams params;
   std::vector<kernel::Object> objects;
   std::vector<kernel::Shape> shapes;
@@ -33,6 +34,7 @@ struct FlatScene {
   std::vector<kernel::Image> images;
   std::vector<std::uint32_t> texels;
   std::vector<kernel::Light> lights;
+  std::vector<float> albedos;  // of the path tracer; empty for others
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these

@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "kernel/math.h"
+#include "kernel/microfacet.h"
 #include "util/check.h"
 
 namespace snell::cpu {
@@ -110,13 +111,25 @@ bool IsMapped(const scene::Scene& scene, const scene::Material& material) {
                              [&](const scene::Term& term) { return reads(term.color); });
 }
 
-uint MaskOf(const scene::Object& object, const scene::Material& material, bool tintedShadows) {
+// Whether light that passes is neither bent nor scattered. Narrower roughness than this is smooth to the kernel.
+bool PassesStraight(const scene::Material& material) {
+  if (!material.thin || !material.physical) return material.thin;
+  const scene::ScalarInput& roughness = material.physical->specularRoughness;
+  return roughness.value * roughness.value * 1.5f < SmoothAlpha;
+}
+
+bool LetsShadowRaysPass(const scene::Material& material, ShadowRays shadowRays) {
+  if (!material.Refractive()) return material.alphaMode != scene::AlphaMode::Opaque;
+  if (shadowRays == ShadowRays::Path) return PassesStraight(material);
+  return shadowRays == ShadowRays::Tinted;
+}
+
+uint MaskOf(const scene::Object& object, const scene::Material& material, ShadowRays shadowRays) {
   uint mask = 0;
   if (object.visibleToCamera) mask |= MASK_CAMERA;
   if (object.visibleToSecondary) mask |= MASK_SECONDARY;
-  const bool lets =
-      material.Refractive() ? tintedShadows : material.alphaMode != scene::AlphaMode::Opaque;
-  if (object.castsShadow) mask |= lets ? MASK_TINT : MASK_SHADOW;
+  if (object.castsShadow)
+    mask |= LetsShadowRaysPass(material, shadowRays) ? MASK_TINT : MASK_SHADOW;
   if (material.Refractive() && !material.thin) mask |= MASK_INSIDE;
   return mask;
 }
@@ -195,14 +208,14 @@ Shape FlattenShape(const scene::Geometry& geometry, const Affine& toWorld, uint 
 }
 
 void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
-                    bool tintedShadows, FlatScene& flat) {
+                    ShadowRays shadowRays, FlatScene& flat) {
   const uint firstObject = uint(flat.objects.size());
   // Make the records of the objects and count how often each mesh is used
   std::vector<uint> uses(scene.meshes.size() + finer.meshes.size(), 0);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
-    flat.objects.push_back({uint(object.material), MaskOf(object, material, tintedShadows), None,
+    flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None,
                             ToTransform(object.toWorld)});
     if (finer.meshOf[i] >= 0) ++uses[std::size_t(finer.meshOf[i])];
   }

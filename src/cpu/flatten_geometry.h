@@ -10,8 +10,12 @@ namespace snell::cpu {
 
 // Append the scene's objects with their shapes, meshes and instances. Triangles in world space must come
 // first: those of lights are there already.
+// What clear objects do to shadow rays: block them, tint them as if they went straight on, or, as the path tracer
+// wants it, let those pass that do go straight on, through smooth thin sheets.
+enum class ShadowRays { Opaque, Tinted, Path };
+
 void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
-                    bool tintedShadows, FlatScene& flat);
+                    ShadowRays shadowRays, FlatScene& flat);
 
 // Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
 // Returns the index of its first triangle.

@@ -168,6 +168,48 @@ static Physical FlattenPhysical(const scene::OpenPbr& from) {
   physical.fuzzWeight = Source(from.fuzzWeight);
   physical.fuzzColor = from.fuzzColor.value;
   physical.fuzzRoughness = Source(from.fuzzRoughness);
+  physical.diffuseRoughness = std::clamp(from.baseDiffuseRoughness, 0.0f, 1.0f);
+  physical.anisotropy = std::clamp(from.specularRoughnessAnisotropy.value, 0.0f, 0.99f);
+  physical.coatColor = from.coatColor.value;
+  physical.coatDarkening = from.coatDarkening;
+  physical.diffuseTransmission = from.diffuseTransmissionWeight.value;
+  physical.diffuseTransmissionColor = from.diffuseTransmissionColor.value;
+  physical.metalColor = physical.baseColor;
+  physical.tintByBase = 1;
+  physical.metalByBase = 1;
+  return physical;
+}
+
+// What the path tracer takes a classic material for: its diffuse terms together are the base's albedo, its strongest
+// specular term tells the roughness, its reflectivity is that of a smooth metal, its transparency is transmission.
+static Physical PhysicalOf(const scene::Material& classic) {
+  Physical physical = {};
+  physical.coatIor = 1.5f;
+  physical.coatColor = physical.fuzzColor = physical.specularColor = Spectrum(1.0f);
+  physical.roughness.value = 1;
+  for (const scene::Term& term : classic.terms) {
+    if (term.kind == scene::TermKind::Diffuse) physical.baseColor += term.color.value;
+    if (term.kind != scene::TermKind::Phong && term.kind != scene::TermKind::Blinn) continue;
+    // The widths at which the lobes' falls from their peaks agree
+    const float exponent = term.kind == scene::TermKind::Phong ? 4 * term.exponent : term.exponent;
+    physical.roughness.value =
+        std::min(physical.roughness.value, std::pow(2 / (exponent + 2), 0.25f));
+    physical.specularWeight.value = 1;
+  }
+  const float mirror = MaxChannel(classic.reflectivity.value);
+  const float clear = MaxChannel(classic.transparency.value);
+  if (mirror > 0) {
+    physical.metalness.value = std::min(mirror, 1.0f);
+    physical.metalColor = classic.reflectivity.value / mirror;
+  }
+  if (clear > 0) {
+    physical.transmission.value = std::min(clear, 1.0f);
+    physical.transmissionColor = classic.transparency.value / clear;
+  }
+  if (mirror > 0 || clear > 0) {
+    physical.roughness.value = 0;
+    physical.specularWeight.value = clear > 0 ? 1.0f : 0.0f;
+  }
   return physical;
 }
 
@@ -219,7 +261,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   FlattenRoles(from, m);
   if (from.physical) {
     const scene::OpenPbr& physical = *from.physical;
-    m.physical = uint(flat.physicals.size());
+    m.physical = m.closure = uint(flat.physicals.size());
     flat.physicals.push_back(FlattenPhysical(physical));
     m.ior = physical.specularIor;
     m.absorption = physical.transmissionDepth > 0
@@ -228,6 +270,8 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
     m.emission = physical.emission.value;
     return m;
   }
+  m.closure = uint(flat.physicals.size());
+  flat.physicals.push_back(PhysicalOf(from));
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;
@@ -257,6 +301,10 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
+    flat.lights.back().found = light.visible && HasSurface(light) && light.range <= 0 &&
+                                       light.falloff == scene::Falloff::InverseSquare
+                                   ? 1
+                                   : 0;
 
     if (!light.visible || !HasSurface(light)) continue;
     if (lightMaterial == None) {
@@ -264,7 +312,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       lightMaterial = uint(flat.materials.size());
       Material black = {};
       black.ior = 1;
-      black.physical = black.bumpMap = None;
+      black.physical = black.closure = black.bumpMap = None;
       std::ranges::fill(black.textures, None);
       flat.materials.push_back(black);
     }

@@ -10,7 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bvh/bvh.h"
-#include "cpu/kernel.h"
+#include "cpu/bind_kernel.h"
 
 namespace snell::cpu {
 namespace {
@@ -38,26 +38,7 @@ scene::Scene CheckerScene(int width, int height, bool srgb) {
 
 vec4 Evaluate(const FlatScene& flat, vec2 uv, float footprint) {
   const bvh::Bvh bvh(bvh::Geometry{});
-  Kernel kernel{flat.params,
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                {},
-                flat.textures.data(),
-                flat.images.data(),
-                flat.texels.data(),
-                {},
-                bvh};
-  return kernel.EvalImage(flat.textures[0], uv, footprint);
+  return BindKernel(flat, bvh).EvalImage(flat.textures[0], uv, footprint);
 }
 
 TEST(FlattenTextures, KeepsTexelsAndTheirPlaces) {

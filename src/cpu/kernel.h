@@ -32,6 +32,7 @@ struct Kernel {
   const Image* images;
   const uint* texels;
   const Light* lights;
+  const float* albedos;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
@@ -41,6 +42,8 @@ struct Kernel {
   }
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
+#include "kernel/path.h"
+#include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"

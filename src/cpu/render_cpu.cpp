@@ -6,8 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "cpu/flatten.h"
-#include "cpu/kernel.h"
+#include "cpu/bind_kernel.h"
 #include "render/tiles.h"
 #include "util/check.h"
 #include "util/threads.h"
@@ -49,39 +48,41 @@ struct Replay {
 
 bool IsFinite(Spectrum L) { return std::isfinite(L.x) && std::isfinite(L.y) && std::isfinite(L.z); }
 
-Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
-  return {flat.params,
-          flat.objects.data(),
-          flat.shapes.data(),
-          flat.instances.data(),
-          flat.meshes.data(),
-          flat.triangles.data(),
-          flat.positions.data(),
-          flat.normals.data(),
-          flat.uvs.data(),
-          flat.tangents.data(),
-          flat.colors.data(),
-          flat.materials.data(),
-          flat.terms.data(),
-          flat.physicals.data(),
-          flat.textures.data(),
-          flat.images.data(),
-          flat.texels.data(),
-          flat.lights.data(),
-          bvh};
-}
-
 // A better tree costs a fraction of a second per million triangles. The choice depends on the scene alone, so
 // that a part of a picture is made as the whole.
 bvh::BuildQuality QualityFor(const FlatScene& flat) {
   return flat.triangles.size() < 4000000 ? bvh::BuildQuality::High : bvh::BuildQuality::Fast;
 }
 
-void RenderTile(Kernel kernel, render::PixelRect tile, render::SampleRange samples, Replay& replay,
-                render::Film& film, WorkerCounts& counts) {
+// What one sample of a pixel gave.
+struct Traced {
+  Spectrum L;
+  RayCounts rays;
+  uint dropped;
+};
+
+// Follow the ray tree to its end.
+Traced TraceWhitted(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
   WhittedState state;
+  kernel.WhittedBegin(state, pixel, sample);
+  while (state.alive == 1) kernel.WhittedStep(state);
+  return {state.L, state.rays, state.dropped};
+}
+
+// Follow the path to its end.
+Traced TracePath(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
+  PathState state;
+  kernel.PathBegin(state, pixel, sample);
+  while (state.alive == 1) kernel.PathStep(state);
+  return {state.L, state.rays, 0};
+}
+
+void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect tile,
+                render::SampleRange samples, Replay& replay, render::Film& film,
+                WorkerCounts& counts) {
   WhittedBranch branches[WhittedStackSize];
   kernel.branches = branches;
+  const auto trace = integrator == scene::Integrator::Path ? TracePath : TraceWhitted;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       for (std::uint32_t sample = samples.first; sample < samples.last; ++sample) {
@@ -89,20 +90,18 @@ void RenderTile(Kernel kernel, render::PixelRect tile, render::SampleRange sampl
         replay.y = y;
         replay.sample = sample;
 
-        // Follow the ray tree to its end
-        kernel.WhittedBegin(state, uvec2(uint(x), uint(y)), sample);
-        while (state.alive == 1) kernel.WhittedStep(state);
+        const Traced traced = trace(kernel, uvec2(uint(x), uint(y)), sample);
 
         // Count and locate what went wrong, never hide it
-        Spectrum L = state.L;
+        Spectrum L = traced.L;
         if (!IsFinite(L)) {
           ++counts.nonFiniteSamples;
           if (counts.nonFinite.size() < NonFiniteKept) counts.nonFinite.push_back({x, y, sample});
           L = Spectrum(0.0f);
         }
         film.Add(x, y, L);
-        counts.rays.Add(state.rays);
-        counts.droppedBranches += state.dropped;
+        counts.rays.Add(traced.rays);
+        counts.droppedBranches += traced.dropped;
         ++counts.samples;
       }
     }
@@ -152,7 +151,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
       const std::uint64_t raysBefore = counts.rays.Sum();
       Replay replay{&scene, 0, 0, 0};
       const CheckContext context(Replay::Describe, &replay);
-      RenderTile(kernel, tiles[i], pass, replay, film, counts);
+      RenderTile(kernel, request.settings.integrator, tiles[i], pass, replay, film, counts);
       const std::uint64_t samples = samplesDone += counts.samples - samplesBefore;
       const std::uint64_t rays = raysDone += counts.rays.Sum() - raysBefore;
       if (progress) progress->Update(samples, rays);

@@ -195,7 +195,7 @@ CONST uint ROLE_FUZZ_COLOR = 14u;
 CONST uint ROLE_FUZZ_ROUGHNESS = 15u;
 CONST uint RoleCount = 16u;
 
-// A physical (OpenPBR) material, as much of it as the classic integrator shows (physical.h).
+// A physical (OpenPBR) material. The classic integrator shows a part of it (physical.h).
 struct Physical {
   Spectrum baseColor;
   ScalarSource metalness;
@@ -210,6 +210,16 @@ struct Physical {
   ScalarSource fuzzWeight;
   Spectrum fuzzColor;
   ScalarSource fuzzRoughness;
+  // What only the path tracer shows
+  float diffuseRoughness;
+  float anisotropy;
+  Spectrum coatColor;
+  float coatDarkening;
+  float diffuseTransmission;
+  Spectrum diffuseTransmissionColor;
+  Spectrum metalColor;
+  uint tintByBase;   // 1: the base's colour tints what is transmitted
+  uint metalByBase;  // 1: the base colour's texture multiplies the metal's, too
 };
 
 CONST uint ALPHA_OPAQUE = 0u;
@@ -228,7 +238,9 @@ struct Material {
   Spectrum emission;
   Spectrum reflectivity;
   Spectrum transparency;
-  uint physical;             // None: classic
+  uint physical;  // None: classic
+  uint
+      closure;  // what the path tracer takes the material for, one of the physical ones; None: black
   uint textured;             // 1: some role has a texture
   uint textures[RoleCount];  // by role; None: there is none. They multiply the values
   uint singleSided;          // 1: backs let everything pass but shadow rays
@@ -268,6 +280,7 @@ struct Light {
   float oneMinusCos;  // directional: of half its angular size
   float factor;       // of the linear falloff
   float range;        // metres; 0: unlimited
+  uint found;         // 1: rays that meet its surface see what SampleLi samples
 };
 
 // The background, by direction: from `bottom` to `top` over the sine of the elevation.

@@ -5,6 +5,8 @@
 #ifndef SNELL_KERNEL_VALUES_H
 #define SNELL_KERNEL_VALUES_H
 
+#include "kernel/albedo.h"
+#include "kernel/bsdf.h"
 #include "kernel/camera.h"
 #include "kernel/classic.h"
 #include "kernel/environment.h"
@@ -13,6 +15,7 @@
 #include "kernel/interface.h"
 #include "kernel/light.h"
 #include "kernel/medium.h"
+#include "kernel/path_state.h"
 #include "kernel/pattern.h"
 #include "kernel/physical.h"
 #include "kernel/ray.h"

@@ -170,7 +170,7 @@ struct Environment {
   float ior = 1;
 };
 
-enum class Integrator { Whitted };
+enum class Integrator { Whitted, Path };
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.

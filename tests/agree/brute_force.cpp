@@ -61,9 +61,12 @@ struct BruteForceKernel {
   const Image* images;
   const uint* texels;
   const Light* lights;
+  const float* albedos;
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
+#include "kernel/path.h"
+#include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
@@ -74,8 +77,14 @@ struct BruteForceKernel {
 #include "kernel/scene_texture.h"
 #include "kernel/whitted.h"
 
-  // What whitted.comp's main does.
-  Spectrum Radiance(uvec2 pixel, uint sample) {
+  // What the entry points' main does.
+  Spectrum Radiance(scene::Integrator integrator, uvec2 pixel, uint sample) {
+    if (integrator == scene::Integrator::Path) {
+      PathState path;
+      PathBegin(path, pixel, sample);
+      while (path.alive == 1u) PathStep(path);
+      return path.L;
+    }
     WhittedState state;
     WhittedBegin(state, pixel, sample);
     while (state.alive == 1u) WhittedStep(state);
@@ -98,18 +107,19 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{
-      scene.params,           CountsOf(scene),     scene.objects.data(),   scene.shapes.data(),
-      scene.instances.data(), scene.meshes.data(), scene.triangles.data(), scene.positions.data(),
-      scene.normals.data(),   scene.uvs.data(),    scene.tangents.data(),  scene.colors.data(),
-      scene.materials.data(), scene.terms.data(),  scene.physicals.data(), scene.textures.data(),
-      scene.images.data(),    scene.texels.data(), scene.lights.data(),    {}};
+  BruteForceKernel kernel{scene.params,           CountsOf(scene),        scene.objects.data(),
+                          scene.shapes.data(),    scene.instances.data(), scene.meshes.data(),
+                          scene.triangles.data(), scene.positions.data(), scene.normals.data(),
+                          scene.uvs.data(),       scene.tangents.data(),  scene.colors.data(),
+                          scene.materials.data(), scene.terms.data(),     scene.physicals.data(),
+                          scene.textures.data(),  scene.images.data(),    scene.texels.data(),
+                          scene.lights.data(),    scene.albedos.data(),   {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {
     for (uint x = 0; x < resolution.x; ++x) {
       loopsOfPixel = 0;
-      result.radiance.push_back(kernel.Radiance(uvec2(x, y), sample));
+      result.radiance.push_back(kernel.Radiance(scene.integrator, uvec2(x, y), sample));
       result.loops.push_back(loopsOfPixel);
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Whitted integrator in C++ with the GPU's plainest search, src/gpu/shaders/brute_force.glsl, compiled
+// The integrators in C++ with the GPU's plainest search, src/gpu/shaders/brute_force.glsl, compiled
 // as C++. It stands between the two devices: it shares the search with the one and the language with the
 // other, and it counts the passes through loops, of which software drivers allow an invocation 65,535
 // before they silently end all its loops.

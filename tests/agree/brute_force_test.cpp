@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "agree/bvh_reference.h"
 #include "agree/difference.h"
@@ -25,10 +26,11 @@ constexpr std::uint32_t LoopBudget = 65535;
 
 constexpr std::size_t GroupSize = 8;  // in a row of a work group; divides the pictures' width
 
-class BruteForce : public testing::TestWithParam<std::string> {
+class BruteForce : public testing::TestWithParam<std::tuple<scene::Integrator, std::string>> {
  protected:
   cpu::FlatScene Flat() const {
-    const scene::Scene scene = SceneNamed(GetParam());
+    scene::Scene scene = SceneNamed(std::get<1>(GetParam()));
+    scene.settings.integrator = std::get<0>(GetParam());
     return cpu::Flatten(scene, scene.settings, scene.cameras[0]);
   }
 };
@@ -57,8 +59,14 @@ TEST_P(BruteForce, StaysWithinTheLoopBudget) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BruteForce, testing::ValuesIn(SceneNames()),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Whitted, BruteForce,
+                         testing::Combine(testing::Values(scene::Integrator::Whitted),
+                                          testing::ValuesIn(SceneNames())),
+                         [](const auto& scene) { return std::get<1>(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Path, BruteForce,
+                         testing::Combine(testing::Values(scene::Integrator::Path),
+                                          testing::ValuesIn(SceneNames())),
+                         [](const auto& scene) { return std::get<1>(scene.param); });
 
 }  // namespace
 

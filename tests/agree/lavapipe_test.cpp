@@ -11,8 +11,8 @@
 
 #include "agree/bvh_reference.h"
 #include "agree/difference.h"
+#include "agree/kernel_vulkan.h"
 #include "agree/scenes.h"
-#include "agree/whitted_vulkan.h"
 
 namespace snell::agree {
 
@@ -21,19 +21,19 @@ namespace {
 constexpr std::uint32_t Samples = 4;
 
 // Opens the device and compiles the shader once for all scenes.
-class WhittedOnDevice : public testing::TestWithParam<std::string> {
+class OnDevice : public testing::TestWithParam<std::string> {
  protected:
-  static void SetUpTestSuite() {
+  static void Open(scene::Integrator integrator) {
     try {
       device_ = std::make_unique<VulkanDevice>();
     } catch (const Error& error) {
       whyNot_ = error.what();
       return;
     }
-    whitted_ = std::make_unique<WhittedOnVulkan>(*device_);
+    kernel_ = std::make_unique<KernelOnVulkan>(*device_, integrator);
   }
   static void TearDownTestSuite() {
-    whitted_.reset();
+    kernel_.reset();
     device_.reset();
   }
 
@@ -43,33 +43,48 @@ class WhittedOnDevice : public testing::TestWithParam<std::string> {
       if (required && std::string_view(required) == "1") FAIL() << whyNot_;
       GTEST_SKIP() << whyNot_;
     }
-    ASSERT_TRUE(whitted_) << "the shader did not compile";
+    ASSERT_TRUE(kernel_) << "the shader did not compile";
+  }
+
+  void ExpectTheCpusPicture(scene::Integrator integrator) const {
+    scene::Scene source = SceneNamed(GetParam());
+    source.settings.integrator = integrator;
+    cpu::FlatScene scene = cpu::Flatten(source, source.settings, source.cameras[0]);
+    const bvh::Bvh bvh(scene.Geometry());
+    kernel_->Upload(scene);
+    for (std::uint32_t sample = 0; sample < Samples; ++sample) {
+      SCOPED_TRACE("sample " + std::to_string(sample));
+      const auto onCpu = RenderByBvh(scene, bvh, sample);
+      const auto onDevice = kernel_->Render(sample);
+      EXPECT_EQ(CountNonFinite(onCpu), 0u);
+      if (device_->software()) {
+        EXPECT_EQ(Difference("CPU", onCpu, device_->name().c_str(), onDevice, 64), "");
+      } else {
+        EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << device_->name();
+      }
+    }
   }
 
   static inline std::unique_ptr<VulkanDevice> device_;
-  static inline std::unique_ptr<WhittedOnVulkan> whitted_;
+  static inline std::unique_ptr<KernelOnVulkan> kernel_;
   static inline std::string whyNot_;
 };
 
-TEST_P(WhittedOnDevice, GivesTheCpusPicture) {
-  const scene::Scene source = SceneNamed(GetParam());
-  cpu::FlatScene scene = cpu::Flatten(source, source.settings, source.cameras[0]);
-  const bvh::Bvh bvh(scene.Geometry());
-  whitted_->Upload(scene);
-  for (std::uint32_t sample = 0; sample < Samples; ++sample) {
-    SCOPED_TRACE("sample " + std::to_string(sample));
-    const auto onCpu = RenderByBvh(scene, bvh, sample);
-    const auto onDevice = whitted_->Render(sample);
-    EXPECT_EQ(CountNonFinite(onCpu), 0u);
-    if (device_->software()) {
-      EXPECT_EQ(Difference("CPU", onCpu, device_->name().c_str(), onDevice, 64), "");
-    } else {
-      EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << device_->name();
-    }
-  }
-}
+class WhittedOnDevice : public OnDevice {
+ protected:
+  static void SetUpTestSuite() { Open(scene::Integrator::Whitted); }
+};
+class PathOnDevice : public OnDevice {
+ protected:
+  static void SetUpTestSuite() { Open(scene::Integrator::Path); }
+};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, WhittedOnDevice, testing::ValuesIn(SceneNames()),
+TEST_P(WhittedOnDevice, GivesTheCpusPicture) { ExpectTheCpusPicture(scene::Integrator::Whitted); }
+TEST_P(PathOnDevice, GivesTheCpusPicture) { ExpectTheCpusPicture(scene::Integrator::Path); }
+
+INSTANTIATE_TEST_SUITE_P(Whitted, WhittedOnDevice, testing::ValuesIn(SceneNames()),
+                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Path, PathOnDevice, testing::ValuesIn(SceneNames()),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

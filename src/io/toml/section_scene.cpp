@@ -23,7 +23,7 @@ static constexpr float Degree = 0.0174532925199f;
 // --- [render] -----------------------------------------------------------------------------------------------
 
 static Keys<RenderSettings> SamplingKeys() {
-  const auto integrators = Choice<Integrator>({{"whitted", Integrator::Whitted}});
+  const auto integrators = Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
   return {
       Field("spp", &RenderSettings::spp, Integer(1, 1 << 20), "Samples per pixel.")
           .Not({"samples", "samples_per_pixel"}),

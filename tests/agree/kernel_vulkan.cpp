@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "agree/whitted_vulkan.h"
+#include "agree/kernel_vulkan.h"
 
 #include <cstring>
 
@@ -10,7 +10,7 @@ namespace snell::agree {
 
 namespace {
 
-constexpr std::uint32_t BufferCount = 20;  // src/gpu/shaders/buffers.glsl, and the radiance
+constexpr std::uint32_t BufferCount = 21;  // src/gpu/shaders/buffers.glsl, and the radiance
 constexpr std::uint32_t GroupSize = 8;     // local_size_x and local_size_y
 
 template <class T>
@@ -25,27 +25,30 @@ std::span<const std::byte> BytesOf(const T& value) {
 
 }  // namespace
 
-WhittedOnVulkan::WhittedOnVulkan(const VulkanDevice& device)
+KernelOnVulkan::KernelOnVulkan(const VulkanDevice& device, scene::Integrator integrator)
     : device_(device),
-      program_(device, WithNoContraction(ReadSpirv(SNELL_WHITTED_SPIRV)), BufferCount) {}
+      program_(device,
+               WithNoContraction(ReadSpirv(
+                   integrator == scene::Integrator::Path ? SNELL_PATH_SPIRV : SNELL_WHITTED_SPIRV)),
+               BufferCount) {}
 
-void WhittedOnVulkan::Upload(const cpu::FlatScene& scene) {
+void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
   resolution_ = scene.params.camera.resolution;
   const std::size_t pixels = std::size_t(resolution_.x) * resolution_.y;
   const PrimitiveCounts counts = CountsOf(scene);
   buffers_.clear();
   for (const std::span<const std::byte> content :
-       {BytesOf(scene.params), BytesOf(counts), Bytes(scene.objects), Bytes(scene.shapes),
+       {BytesOf(scene.params),  BytesOf(counts),     Bytes(scene.objects),   Bytes(scene.shapes),
         Bytes(scene.instances), Bytes(scene.meshes), Bytes(scene.triangles), Bytes(scene.positions),
-        Bytes(scene.normals), Bytes(scene.uvs), Bytes(scene.tangents), Bytes(scene.colors),
-        Bytes(scene.materials), Bytes(scene.terms), Bytes(scene.physicals), Bytes(scene.textures),
-        Bytes(scene.images), Bytes(scene.texels), Bytes(scene.lights)})
+        Bytes(scene.normals),   Bytes(scene.uvs),    Bytes(scene.tangents),  Bytes(scene.colors),
+        Bytes(scene.materials), Bytes(scene.terms),  Bytes(scene.physicals), Bytes(scene.textures),
+        Bytes(scene.images),    Bytes(scene.texels), Bytes(scene.lights),    Bytes(scene.albedos)})
     buffers_.emplace_back(device_, content);
   buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
   program_.Bind(buffers_);
 }
 
-std::vector<kernel::Spectrum> WhittedOnVulkan::Render(std::uint32_t sample) {
+std::vector<kernel::Spectrum> KernelOnVulkan::Render(std::uint32_t sample) {
   // A pixel that the shader does not write must not pass for one of an earlier sample
   std::vector<kernel::Spectrum> radiance(std::size_t(resolution_.x) * resolution_.y);
   const std::size_t bytes = radiance.size() * sizeof(kernel::Spectrum);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The Whitted integrator on a Vulkan device: src/gpu/shaders/whitted.comp over the buffers of a flattened
+// An integrator on a Vulkan device: src/gpu/shaders/whitted.comp or path.comp over the buffers of a flattened
 // scene, one sample of every pixel a dispatch.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace snell::agree {
 
-class WhittedOnVulkan {
+class KernelOnVulkan {
  public:
   // Compiles the shader, with NoContraction on its arithmetic. Throws Error, as all functions do.
-  explicit WhittedOnVulkan(const VulkanDevice& device);
+  KernelOnVulkan(const VulkanDevice& device, scene::Integrator integrator);
 
   // Copy the scene to the device.
   void Upload(const cpu::FlatScene& scene);

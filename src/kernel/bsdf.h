@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scattering of a physical (OpenPBR) surface at one point, seen from one direction: a coat over fuzz-free base,
+// fuzz above all. The base is a rough conductor beside a rough dielectric, whose inside is diffuse or clear. Energy
+// that the single-scattering microfacet lobes lose is given back by factors (Turquin 2019, "Practical multiple
+// scattering compensation for microfacet models"), and what lies below a layer gets what the layer lets through on
+// average; both come from tables (scene_bsdf.h fills the record). Directions are in the surface's frame, z along
+// the shading normal on wo's side; Eval, Sample and Pdf agree, and each is a sum over the lobes.
+#ifndef SNELL_KERNEL_BSDF_H
+#define SNELL_KERNEL_BSDF_H
+
+#include "kernel/diffuse.h"
+#include "kernel/fresnel.h"
+#include "kernel/microfacet.h"
+#include "kernel/sampling.h"
+#include "kernel/types.h"
+
+KERNEL_BEGIN
+
+struct Bsdf {
+  vec2 alpha;        // GGX widths of the base
+  float eta;         // index of what lies behind over that of wo's side
+  float etaFresnel;  // the same, as Fresnel's equations take it: changed by the specular weight
+  float metalness;
+  Spectrum metalF0;            // conductor: reflectance at normal incidence,
+  Spectrum metalTint;          // and by how much it falls short of Schlick's at 82°
+  Spectrum metalScale;         // gives back the conductor's lost energy
+  Spectrum reflectionScale;    // the dielectric's reflection: tint, lost energy
+  Spectrum transmissionScale;  // its refraction; 0 for an opaque base
+  Spectrum diffuse;            // albedo of what is below the dielectric
+  float diffuseRoughness;
+  Spectrum diffuseTransmission;  // albedo, to the other side
+  uint thin;                     // 1: what is refracted goes straight on
+  float coat;                    // weight
+  vec2 coatAlpha;
+  float coatEta;
+  Spectrum coatTint;   // of light that crosses the coat once at normal incidence
+  Spectrum underCoat;  // what the coat leaves to the base, but for its tint
+  Spectrum fuzz;
+  float fuzzAlpha;
+  float underFuzz;  // what the fuzz leaves to all else
+  // Probabilities of the lobes; they sum to 1
+  float pickCoat;
+  float pickBase;
+  float pickDiffuse;
+  float pickDiffuseTransmission;
+  float pickFuzz;
+};
+
+struct BsdfSample {
+  vec3 wi;
+  Spectrum weight;   // f · |cos θ| / pdf
+  float pdf;         // per solid angle; 0: no sample
+  uint isSpecular;   // 1: a direction of a perfectly smooth lobe, which Eval and Pdf do not see
+  uint transmitted;  // 1: on the other side
+};
+
+FN BsdfSample NoBsdfSample() {
+  BsdfSample s;
+  s.wi = vec3(0.0f, 0.0f, 1.0f);
+  s.weight = Spectrum(0.0f, 0.0f, 0.0f);
+  s.pdf = 0.0f;
+  s.isSpecular = 0u;
+  s.transmitted = 0u;
+  return s;
+}
+
+// Reflectance of a conductor: Schlick's with a tint that is strongest near 82° (Kutz, Hasan and Edmondson 2021,
+// "Novel aspects of the Adobe Standard Material").
+FN Spectrum FrConductorF82(Spectrum f0, Spectrum tint, float cosine) {
+  float mu = Clamp(cosine, 0.0f, 1.0f);
+  Spectrum schlick = FrSchlick(f0, mu);
+  Spectrum at82 = FrSchlick(f0, 0.142857142857f);
+  Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
+  float m = 1.0f - mu;
+  float m2 = m * m;
+  // The polynomial is 1 at μ = 1/7
+  Spectrum dip = at82 * (one - tint) * (17.6512851f * mu * m2 * m2 * m2);
+  return schlick - dip;
+}
+
+FN float FrOfEta(float cosine, float eta) {
+  return FrDielectric(cosine, RefractedCosine(cosine, eta), eta);
+}
+
+// What the base sends back, and lets through, per microfacet whose normal makes this cosine with wo.
+FN Spectrum BaseReflectance(IN(Bsdf) b, float cosine) {
+  Spectrum metal = FrConductorF82(b.metalF0, b.metalTint, cosine) * b.metalScale;
+  float fresnel = FrOfEta(cosine, b.etaFresnel);
+  if (b.thin == 1u) fresnel = 2.0f * fresnel / (1.0f + fresnel);
+  // What cannot be refracted is reflected
+  if (b.thin == 0u && RefractedCosine(cosine, b.eta) < 0.0f) fresnel = 1.0f;
+  return metal * b.metalness + b.reflectionScale * ((1.0f - b.metalness) * fresnel);
+}
+FN Spectrum BaseTransmittance(IN(Bsdf) b, float cosine) {
+  float fresnel = FrOfEta(cosine, b.etaFresnel);
+  if (b.thin == 1u) fresnel = 2.0f * fresnel / (1.0f + fresnel);
+  if (b.thin == 0u && RefractedCosine(cosine, b.eta) < 0.0f) fresnel = 1.0f;
+  return b.transmissionScale * ((1.0f - b.metalness) * (1.0f - fresnel));
+}
+
+// The share of the base's samples that are reflections, at a microfacet.
+FN float BaseReflectionShare(Spectrum reflectance, Spectrum transmittance) {
+  float r = MeanChannel(reflectance);
+  float t = MeanChannel(transmittance);
+  return r + t > 0.0f ? r / (r + t) : 1.0f;
+}
+
+FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
+FN bool IsSmoothCoat(IN(Bsdf) b) { return b.coatAlpha.x < SmoothAlpha; }
+
+// Passing the coat takes its colour along the way; the exponent is the way's length through it.
+FN Spectrum CoatPassage(IN(Bsdf) b, float cosine) {
+  if (b.coat <= 0.0f) return Spectrum(1.0f, 1.0f, 1.0f);
+  float inside = Max(RefractedCosine(abs(cosine), b.coatEta), 0.05f);
+  float e = 1.0f / inside;
+  Spectrum tint = Spectrum(Pow(b.coatTint.x, e), Pow(b.coatTint.y, e), Pow(b.coatTint.z, e));
+  return Lerp(b.coat, Spectrum(1.0f, 1.0f, 1.0f), tint);
+}
+
+// What reaches the base and comes back, on the ways along wo and wi.
+FN Spectrum ThroughLayers(IN(Bsdf) b, vec3 wo, vec3 wi) {
+  if (b.coat <= 0.0f) return b.underCoat * b.underFuzz;
+  return b.underCoat * CoatPassage(b, wo.z) * CoatPassage(b, wi.z) * b.underFuzz;
+}
+
+FN float FuzzDistribution(float alpha, float cosHalf) {
+  float inverse = 1.0f / alpha;
+  float sine2 = Max(1.0f - cosHalf * cosHalf, 0.0078125f);
+  return (2.0f + inverse) * Pow(sine2, 0.5f * inverse) * Inv2Pi;
+}
+
+// Fuzz of colour 1: Estevez and Kulla 2017, "Production friendly microfacet sheen BRDF", times the cosine of wi.
+FN float EvalFuzz(float alpha, vec3 wo, vec3 wi) {
+  vec3 h = Normalize(wo + wi);
+  return FuzzDistribution(alpha, Clamp(h.z, 0.0f, 1.0f)) * wi.z /
+         (4.0f * (wi.z + wo.z - wi.z * wo.z));
+}
+
+// All lobes that are not perfectly smooth: returns f · |cos θ| and, in `pdf`, the density of SampleBsdf.
+FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
+  Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
+  pdf = 0.0f;
+  if (wo.z <= 0.0f || wi.z == 0.0f) return f;
+  Spectrum through = ThroughLayers(b, wo, wi);
+  if (wi.z < 0.0f) {
+    // Through the surface
+    if (b.pickDiffuseTransmission > 0.0f) {
+      f += through * b.diffuseTransmission * (-wi.z * InvPi);
+      pdf += b.pickDiffuseTransmission * (-wi.z * InvPi);
+    }
+    if (IsSmoothBase(b) || MaxChannel(b.transmissionScale) <= 0.0f) return f;
+    if (b.thin == 1u) {
+      // As the reflection, mirrored to the other side
+      vec3 mirrored = vec3(wi.x, wi.y, -wi.z);
+      vec3 m = Normalize(wo + mirrored);
+      float cosine = Dot(wo, m);
+      float share = BaseReflectionShare(BaseReflectance(b, cosine), BaseTransmittance(b, cosine));
+      f += through * BaseTransmittance(b, cosine) *
+           (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, mirrored) / (4.0f * wo.z));
+      pdf += b.pickBase * (1.0f - share) * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
+      return f;
+    }
+    vec3 m = wi * b.eta + wo;
+    if (LengthSquared(m) == 0.0f) return f;
+    m = Normalize(m);
+    if (m.z < 0.0f) m = -m;
+    float cosOut = Dot(wo, m);
+    float cosIn = Dot(wi, m);
+    if (cosOut <= 0.0f || cosIn >= 0.0f) return f;
+    float jacobian = -cosIn / Sqr(cosIn + cosOut / b.eta);
+    Spectrum transmittance = BaseTransmittance(b, cosOut);
+    float share = BaseReflectionShare(BaseReflectance(b, cosOut), transmittance);
+    // Radiance is squeezed into the smaller cone of directions, by 1/η²
+    f += through * transmittance *
+         (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, wi) * cosOut * jacobian /
+          (wo.z * b.eta * b.eta));
+    pdf += b.pickBase * (1.0f - share) * PdfGgxVisible(b.alpha, wo, m) * jacobian;
+    return f;
+  }
+
+  vec3 m = Normalize(wo + wi);
+  float cosine = Max(Dot(wo, m), 1e-7f);
+  if (b.pickBase > 0.0f && !IsSmoothBase(b)) {
+    Spectrum reflectance = BaseReflectance(b, cosine);
+    float share = BaseReflectionShare(reflectance, BaseTransmittance(b, cosine));
+    f += through * reflectance *
+         (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, wi) / (4.0f * wo.z));
+    pdf += b.pickBase * share * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
+  }
+  if (b.pickDiffuse > 0.0f) {
+    f += through * EvalEon(b.diffuse, b.diffuseRoughness, wo, wi) * wi.z;
+    pdf += b.pickDiffuse * wi.z * InvPi;
+  }
+  if (b.pickCoat > 0.0f && !IsSmoothCoat(b)) {
+    float reflectance = b.coat * FrOfEta(cosine, b.coatEta) * b.underFuzz *
+                        GgxDistribution(b.coatAlpha, m) * GgxMasking(b.coatAlpha, wo, wi) /
+                        (4.0f * wo.z);
+    f += Spectrum(reflectance, reflectance, reflectance);
+    pdf += b.pickCoat * PdfGgxVisible(b.coatAlpha, wo, m) / (4.0f * cosine);
+  }
+  if (b.pickFuzz > 0.0f) {
+    f += b.fuzz * EvalFuzz(b.fuzzAlpha, wo, wi);
+    pdf += b.pickFuzz * Inv2Pi;
+  }
+  return f;
+}
+
+// A sample of a lobe that is perfectly smooth, chosen with probability `pick`.
+FN BsdfSample SmoothSample(vec3 wi, Spectrum reflectance, float pick) {
+  BsdfSample s;
+  s.wi = wi;
+  s.weight = reflectance / pick;
+  s.pdf = pick;
+  s.isSpecular = 1u;
+  s.transmitted = wi.z < 0.0f ? 1u : 0u;
+  return s;
+}
+
+// A direction by `lobe` ∈ [0, 1), which chooses the lobe, and u ∈ [0, 1)².
+FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
+  if (wo.z <= 0.0f) return NoBsdfSample();
+  vec3 wi;
+  float left = lobe;
+  if (left < b.pickCoat) {
+    vec3 m = vec3(0.0f, 0.0f, 1.0f);
+    if (!IsSmoothCoat(b)) m = SampleGgxVisible(b.coatAlpha, wo, u);
+    wi = -Reflect(wo, m);
+    if (IsSmoothCoat(b)) {
+      float reflectance = b.coat * FrOfEta(wo.z, b.coatEta) * b.underFuzz;
+      return SmoothSample(wi, Spectrum(reflectance, reflectance, reflectance), b.pickCoat);
+    }
+    if (wi.z <= 0.0f) return NoBsdfSample();
+  } else if ((left -= b.pickCoat) < b.pickBase) {
+    // A microfacet, then to which side
+    bool even = IsSmoothBase(b);
+    vec3 m = vec3(0.0f, 0.0f, 1.0f);
+    if (!even) m = SampleGgxVisible(b.alpha, wo, u);
+    float cosine = Dot(wo, m);
+    if (cosine <= 0.0f) return NoBsdfSample();
+    Spectrum reflectance = BaseReflectance(b, cosine);
+    Spectrum transmittance = BaseTransmittance(b, cosine);
+    float share = BaseReflectionShare(reflectance, transmittance);
+    if (left < b.pickBase * share) {
+      wi = -Reflect(wo, m);
+      if (even) return SmoothSample(wi, reflectance * ThroughLayers(b, wo, wi), b.pickBase * share);
+      if (wi.z <= 0.0f) return NoBsdfSample();
+    } else if (b.thin == 1u) {
+      vec3 mirrored = -Reflect(wo, m);
+      if (mirrored.z <= 0.0f) return NoBsdfSample();
+      wi = even ? -wo : vec3(mirrored.x, mirrored.y, -mirrored.z);
+      if (even)
+        return SmoothSample(wi, transmittance * ThroughLayers(b, wo, wi),
+                            b.pickBase * (1.0f - share));
+    } else {
+      wi = Refract(-wo, m, cosine, RefractedCosine(cosine, b.eta), b.eta);
+      if (even)
+        return SmoothSample(wi, transmittance * ThroughLayers(b, wo, wi) / (b.eta * b.eta),
+                            b.pickBase * (1.0f - share));
+      if (wi.z >= 0.0f) return NoBsdfSample();
+    }
+  } else if ((left -= b.pickBase) < b.pickDiffuse + b.pickDiffuseTransmission) {
+    vec2 disk = SampleUniformDisk(u);
+    float z = SafeSqrt(1.0f - disk.x * disk.x - disk.y * disk.y);
+    wi = vec3(disk.x, disk.y, left < b.pickDiffuse ? z : -z);
+  } else {
+    float sine = SafeSqrt(1.0f - u.x * u.x);
+    float s;
+    float c;
+    SinCos(2.0f * Pi * u.y, s, c);
+    wi = vec3(sine * c, sine * s, u.x);
+  }
+  BsdfSample s;
+  s.wi = wi;
+  s.isSpecular = 0u;
+  s.transmitted = wi.z < 0.0f ? 1u : 0u;
+  Spectrum f = EvalBsdf(b, wo, wi, s.pdf);
+  if (s.pdf <= 0.0f) return NoBsdfSample();
+  s.weight = f / s.pdf;
+  return s;
+}
+
+KERNEL_END
+
+#endif

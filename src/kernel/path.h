@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The path tracer (Kajiya 1986, "The rendering equation") as steps on a state: PathBegin makes the ray from the camera,
+// each PathStep follows it to a surface, samples one light from there, and continues in one direction that the
+// surface's scattering chooses. Light that both ways can find is weighted by multiple importance sampling (Veach and
+// Guibas 1995, "Optimally combining sampling techniques", the balance heuristic). Reads all buffers of the scene.
+#ifndef SNELL_KERNEL_PATH_H
+#define SNELL_KERNEL_PATH_H
+
+SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
+  vec2 u = Sobol2D(s.sampleIndex, HashCombine(s.seed, s.dimension));
+  s.dimension += 1u;
+  return u;
+}
+
+// Start sample `sampleIndex` of a pixel.
+SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
+  s.seed = HashCombine(HashCombine(params.seed, pixel.x), pixel.y);
+  s.sampleIndex = sampleIndex;
+  s.dimension = 0u;
+  s.rays.camera = 1u;
+  s.rays.reflected = 0u;
+  s.rays.refracted = 0u;
+  s.rays.shadow = 0u;
+
+  // Place the sample in the image plane by the pixel filter
+  vec2 offset = SamplePixelFilter(PathSample2D(s));
+  vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
+  s.ray = GenerateRay(params.camera, place);
+  s.beta = Spectrum(1.0f, 1.0f, 1.0f);
+  s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.etaScale = 1.0f;
+  s.depth = 1u;
+  s.passes = 0u;
+  s.coneWidth = params.coneWidth;
+  s.media = params.camera.inside == 1u ? MediaAround(s.ray) : NoMedia();
+  s.bsdfPdf = 0.0f;
+  s.lastPoint = s.ray.o;
+  s.lightSum = 0.0f;
+  s.alive = 1u;
+}
+
+// The lights' importances at p, added up, and one of them chosen in proportion by u; None: all are dark.
+SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImportance) {
+  sum = 0.0f;
+  chosenImportance = 0.0f;
+  uint chosen = None;
+  float left = u;
+  for (uint i = 0u; i < params.lightCount; ++i) {
+    LET(Light) light = lights[i];
+    float importance = LightImportance(light, p);
+    if (importance <= 0.0f) continue;
+    // Keep the old choice or take this one; either way the number is stretched to be uniform again
+    sum += importance;
+    float share = importance / sum;
+    if (left < share) {
+      chosen = i;
+      chosenImportance = importance;
+      left = left / share;
+    } else {
+      left = (left - share) / (1.0f - share);
+    }
+    left = Min(left, 0.99999994f);
+  }
+  return chosen;
+}
+
+// A unit normal that wo sees from above.
+SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
+  float cosine = Dot(ns, wo);
+  if (cosine > 1e-3f) return ns;
+  return Normalize(ns + wo * (2e-3f - cosine));
+}
+
+// Light from one source, chosen and sampled at a vertex, towards wo.
+SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it, vec3 n,
+                               vec3 x, vec3 y, vec3 z, vec3 wo, IN(MediumStack) before,
+                               IN(MediumStack) behind, OUT(float) lightSum) {
+  Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
+  vec2 choice = PathSample2D(s);
+  vec2 u = PathSample2D(s);
+  float importance;
+  uint index = ChooseLight(it.p, choice.x, lightSum, importance);
+  if (index == None) return none;
+  LET(Light) light = lights[index];
+  LightLiSample li = SampleLi(light, it.p, u);
+  if (IsBlack(li.irradiance)) return none;
+  vec3 wi = vec3(Dot(li.wi, x), Dot(li.wi, y), Dot(li.wi, z));
+  // Both normals must agree on the side
+  if (wi.z * Dot(li.wi, n) <= 0.0f) return none;
+  float pdf;
+  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
+  if (IsBlack(f)) return none;
+  s.rays.shadow += 1u;
+  vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
+  Spectrum arriving = f * li.irradiance *
+                      LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
+  float pick = importance / lightSum;
+  float weight = 1.0f;
+  if (light.found == 1u) {
+    float lightPdf = pick * PdfLi(light, it.p, li.wi, li.distance);
+    weight = lightPdf / (lightPdf + pdf);
+  }
+  return arriving * (weight / pick);
+}
+
+// Follow the ray to the next vertex, gather light there, and find the way on.
+SCENE_FN void PathStep(INOUT(PathState) s) {
+  Ray ray = s.ray;
+  s.alive = 0u;
+  Hit hit = ClosestHit(ray, Infinite, s.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
+  if (hit.primitive == None) {
+    Spectrum Le = EnvironmentLe(params.environment, ray.d);
+    // Ambient lights light surfaces but are not seen
+    if (s.depth > 1u) Le += params.ambient;
+    s.L += s.beta * Le;
+    return;
+  }
+  SurfaceInteraction it = SurfaceAt(hit, ray);
+  LET(Object) object = objects[it.object];
+  LET(Material) material = materials[object.material];
+  vec3 wo = -ray.d;
+  vec3 n = FaceForward(it.n, wo);
+  float coneWidth = s.coneWidth + params.coneSpread * it.t;
+  it.footprint = coneWidth / Max(abs(Dot(n, wo)), 0.05f);
+
+  // Absorb on the way through the medium that the ray came through
+  MediumStack media = MediaBehind(s.media, it, ray.d);
+  uint inside = CurrentMedium(media);
+  s.beta = s.beta * MediumTransmittance(inside, it.t);
+
+  // Pass where the surface is open, by chance where it is half so
+  RoleTexels shown = TexelsAt(material, it);
+  float opacity = OpacityOf(material, shown, it.alpha);
+  if (material.singleSided == 1u && Dot(it.n, wo) < 0.0f) opacity = 0.0f;
+  if (opacity < 1.0f && PathSample2D(s).x >= opacity) {
+    if (s.passes == MaxPasses) return;
+    s.passes += 1u;
+    s.media = media;
+    s.coneWidth = coneWidth;
+    s.ray.o = OffsetRayOrigin(it.p, it.pError, n, ray.d);
+    s.alive = 1u;
+    return;
+  }
+
+  // The surface of an area light shines from its front
+  if (object.light != None) {
+    if (Dot(it.n, wo) <= 0.0f) return;
+    LET(Light) light = lights[object.light];
+    float weight = 1.0f;
+    if (s.bsdfPdf > 0.0f) {
+      float pick = LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f);
+      float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
+      weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
+    }
+    s.L += s.beta * light.emission * weight;
+    return;
+  }
+
+  // Find what lies behind a refractive boundary
+  bool hasInside = material.refractive == 1u && material.thin == 0u;
+  MediumStack mediaBehind = media;
+  float eta = material.ior / MediumIor(inside);
+  if (hasInside) {
+    mediaBehind =
+        Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
+    uint behind = CurrentMedium(mediaBehind);
+    if (behind == inside) {
+      // A boundary within a body of higher priority is not there
+      if (s.passes == MaxPasses) return;
+      s.passes += 1u;
+      s.media = mediaBehind;
+      s.coneWidth = coneWidth;
+      s.ray.o = OffsetRayOrigin(it.p, it.pError, it.n, ray.d);
+      s.alive = 1u;
+      return;
+    }
+    eta = MediumIor(behind) / MediumIor(inside);
+  }
+  s.L += s.beta * material.emission * ShownColor(shown, ROLE_EMISSION);
+  if (s.depth >= params.maxDepth || material.closure == None) return;
+
+  // Set up the surface's scattering in the frame of its shading normal
+  it.ns = MappedNormal(material, it, shown);
+  vec3 z = NormalSeenFrom(FaceForward(it.ns, n), wo);
+  vec3 x = it.tangent - z * Dot(it.tangent, z);
+  vec3 y;
+  if (LengthSquared(x) > 1e-12f * LengthSquared(it.tangent)) {
+    x = Normalize(x);
+    y = Cross(z, x);
+  } else {
+    CoordinateSystem(z, x, y);
+  }
+  vec3 woLocal = vec3(Dot(wo, x), Dot(wo, y), Dot(wo, z));
+  Bsdf bsdf = BsdfAt(material, shown, it.color, eta, woLocal.z);
+
+  // Gather the light of one source, then choose the way on
+  float lightSum;
+  Spectrum sampled = SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, lightSum);
+  s.L += s.beta * sampled;
+  vec2 lobe = PathSample2D(s);
+  BsdfSample next = SampleBsdf(bsdf, woLocal, lobe.x, PathSample2D(s));
+  if (next.pdf <= 0.0f) return;
+  vec3 wi = x * next.wi.x + y * next.wi.y + z * next.wi.z;
+  if ((Dot(wi, n) < 0.0f) != (next.transmitted == 1u)) return;
+  s.beta = s.beta * next.weight;
+  if (next.transmitted == 1u && material.thin == 0u && hasInside) s.etaScale *= eta * eta;
+  s.ray.d = Normalize(wi);
+  s.ray.o = OffsetRayOrigin(it.p, it.pError, n, s.ray.d);
+  s.media = next.transmitted == 1u ? mediaBehind : media;
+  s.coneWidth = coneWidth;
+  s.passes = 0u;
+  s.depth += 1u;
+  // What goes straight through a smooth sheet has been looked for by the shadow ray, too
+  bool straight = next.transmitted == 1u && next.isSpecular == 1u && material.thin == 1u;
+  if (!straight) {
+    s.bsdfPdf = next.isSpecular == 1u ? 0.0f : next.pdf;
+    s.lastPoint = it.p;
+    s.lightSum = lightSum;
+  }
+  if (next.transmitted == 1u) {
+    s.rays.refracted += 1u;
+  } else {
+    s.rays.reflected += 1u;
+  }
+
+  // End paths that can add little, by chance
+  float least = MaxChannel(s.beta) * s.etaScale;
+  if (s.depth > RouletteDepth && least < 0.95f) {
+    float survival = Max(least, 0.05f);
+    if (lobe.y >= survival) return;
+    s.beta = s.beta * (1.0f / survival);
+  }
+  s.alive = MaxChannel(s.beta) > 0.0f ? 1u : 0u;
+}
+
+#endif
