@@ -104,12 +104,28 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(ScalarSource), {MEMBER(ScalarSource, value), MEMBER(ScalarSource, channel)}}},
       {"Physical",
        {sizeof(Physical),
-        {MEMBER(Physical, baseColor), MEMBER(Physical, metalness), MEMBER(Physical, specularWeight),
-         MEMBER(Physical, specularColor), MEMBER(Physical, roughness),
-         MEMBER(Physical, transmission), MEMBER(Physical, transmissionColor),
-         MEMBER(Physical, coatWeight), MEMBER(Physical, coatRoughness), MEMBER(Physical, coatIor),
-         MEMBER(Physical, fuzzWeight), MEMBER(Physical, fuzzColor),
-         MEMBER(Physical, fuzzRoughness)}}},
+        {MEMBER(Physical, baseColor),
+         MEMBER(Physical, metalness),
+         MEMBER(Physical, specularWeight),
+         MEMBER(Physical, specularColor),
+         MEMBER(Physical, roughness),
+         MEMBER(Physical, transmission),
+         MEMBER(Physical, transmissionColor),
+         MEMBER(Physical, coatWeight),
+         MEMBER(Physical, coatRoughness),
+         MEMBER(Physical, coatIor),
+         MEMBER(Physical, fuzzWeight),
+         MEMBER(Physical, fuzzColor),
+         MEMBER(Physical, fuzzRoughness),
+         MEMBER(Physical, diffuseRoughness),
+         MEMBER(Physical, anisotropy),
+         MEMBER(Physical, coatColor),
+         MEMBER(Physical, coatDarkening),
+         MEMBER(Physical, diffuseTransmission),
+         MEMBER(Physical, diffuseTransmissionColor),
+         MEMBER(Physical, metalColor),
+         MEMBER(Physical, tintByBase),
+         MEMBER(Physical, metalByBase)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
@@ -121,18 +137,18 @@ std::map<std::string, Record> RecordsInCpp() {
                            MEMBER(Material, ior),          MEMBER(Material, absorption),
                            MEMBER(Material, emission),     MEMBER(Material, reflectivity),
                            MEMBER(Material, transparency), MEMBER(Material, physical),
-                           MEMBER(Material, textured),     MEMBER(Material, textures),
-                           MEMBER(Material, singleSided),  MEMBER(Material, alphaMode),
-                           MEMBER(Material, opacity),      MEMBER(Material, alphaCutoff),
-                           MEMBER(Material, normalScale),  MEMBER(Material, bumpMap),
-                           MEMBER(Material, bumpScale)}}},
+                           MEMBER(Material, closure),      MEMBER(Material, textured),
+                           MEMBER(Material, textures),     MEMBER(Material, singleSided),
+                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
+                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
+                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
         {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
          MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
          MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
          MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
-         MEMBER(Light, factor), MEMBER(Light, range)}}},
+         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found)}}},
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
@@ -158,6 +174,7 @@ std::map<std::string, Record> RecordsInCpp() {
       {"vec3", {sizeof(vec3), {}}},
       {"vec4", {sizeof(vec4), {}}},
       {"uint", {sizeof(uint), {}}},
+      {"float", {sizeof(float), {}}},
   };
 }
 
@@ -182,7 +199,7 @@ TEST(Layout, MembersStandWhereCppPutsThem) {
     EXPECT_EQ(Describe(record.members), Describe(records[record.name].members)) << record.name;
     ++found;
   }
-  EXPECT_GE(found, records.size() - 4) << "the shader's buffers lack a record of the table";
+  EXPECT_GE(found, records.size() - 5) << "the shader's buffers lack a record of the table";
 }
 
 TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
@@ -193,7 +210,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 15u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 16u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {
