@@ -8,6 +8,7 @@
 
 #include "bvh/bounds.h"
 #include "cpu/albedo_tables.h"
+#include "cpu/flatten_emitters.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
@@ -34,7 +35,8 @@ std::uint64_t FlatScene::MemoryBytes() const {
   return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
          BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
          BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + TextureBytes();
+         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
+         TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -121,6 +123,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
                  flat);
+  if (isPath) FlattenEmitters(flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

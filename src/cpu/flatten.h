@@ -34,7 +34,8 @@ struct FlatScene {
   std::vector<kernel::Image> images;
   std::vector<std::uint32_t> texels;
   std::vector<kernel::Light> lights;
-  std::vector<float> albedos;  // of the path tracer; empty for others
+  std::vector<kernel::Emitter> emitters;  // of the path tracer, as the next; empty for others
+  std::vector<float> albedos;
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these

@@ -199,8 +199,17 @@ static Physical PhysicalOf(const scene::Material& classic) {
   const float mirror = MaxChannel(classic.reflectivity.value);
   const float clear = MaxChannel(classic.transparency.value);
   if (mirror > 0) {
-    physical.metalness.value = std::min(mirror, 1.0f);
-    physical.metalColor = classic.reflectivity.value / mirror;
+    const bool isSchlick = classic.reflection == scene::ReflectionModel::Schlick;
+    if (classic.reflection == scene::ReflectionModel::Fresnel || (isSchlick && mirror < 0.5f)) {
+      // A clear layer, for Schlick one of the index that gives the reflectance
+      const float normal = Sqr((classic.ior - 1) / (classic.ior + 1));
+      physical.specularWeight.value = isSchlick && normal > 0 ? mirror / normal : mirror;
+      physical.specularColor = classic.reflectivity.value / mirror;
+    } else {
+      physical.metalness.value = isSchlick ? 1.0f : std::min(mirror, 1.0f);
+      physical.metalColor = classic.reflectivity.value / (isSchlick ? 1.0f : mirror);
+      physical.specularWeight.value = 1;
+    }
   }
   if (clear > 0) {
     physical.transmission.value = std::min(clear, 1.0f);
@@ -208,7 +217,7 @@ static Physical PhysicalOf(const scene::Material& classic) {
   }
   if (mirror > 0 || clear > 0) {
     physical.roughness.value = 0;
-    physical.specularWeight.value = clear > 0 ? 1.0f : 0.0f;
+    if (clear > 0) physical.specularWeight.value = 1;
   }
   return physical;
 }

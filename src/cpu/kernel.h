@@ -32,6 +32,7 @@ struct Kernel {
   const Image* images;
   const uint* texels;
   const Light* lights;
+  const Emitter* emitters;
   const float* albedos;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread

@@ -72,6 +72,77 @@ SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
   return Normalize(ns + wo * (2e-3f - cosine));
 }
 
+// The share of samples that go to glowing triangles, the others to lights.
+SCENE_FN float EmitterShare() {
+  if (params.emitterCount == 0u) return 0.0f;
+  return params.lightCount == 0u ? 1.0f : 0.5f;
+}
+
+// The density, per solid angle at a distance, of sampling a point of a glowing triangle in the direction wi: points are
+// uniform over the areas, weighted by the brightest channel of the material's emission.
+SCENE_FN float PdfEmitter(IN(Material) material, IN(SurfaceInteraction) it, vec3 wi,
+                          float distance) {
+  return EmitterShare() * MaxChannel(material.emission) / params.emitterPower * Sqr(distance) /
+         Max(abs(Dot(it.n, wi)), 1e-6f);
+}
+
+// The emitter in whose share u falls.
+SCENE_FN uint EmitterAt(float u) {
+  uint low = 0u;
+  uint high = params.emitterCount - 1u;
+  while (low < high) {
+    uint middle = (low + high) / 2u;
+    if (u < emitters[middle].last) {
+      high = middle;
+    } else {
+      low = middle + 1u;
+    }
+  }
+  return low;
+}
+
+// Light from a point of a glowing triangle, sampled at a vertex, towards wo.
+SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it,
+                                 vec3 n, vec3 x, vec3 y, vec3 z, vec3 wo, float choice, vec2 u,
+                                 IN(MediumStack) before, IN(MediumStack) behind) {
+  Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
+  LET(Emitter) emitter = emitters[EmitterAt(choice)];
+  LET(Triangle) triangle = triangles[emitter.triangle];
+  vec2 b = SampleUniformTriangle(u);
+  vec3 point = positions[triangle.v0] * (1.0f - b.x - b.y) + positions[triangle.v1] * b.x +
+               positions[triangle.v2] * b.y;
+  if (emitter.instance != None) point = ToWorldPoint(instances[emitter.instance].toWorld, point);
+  vec3 toPoint = point - it.p;
+  float distance = Length(toPoint);
+  if (distance <= 0.0f) return none;
+  Ray ray;
+  ray.o = it.p;
+  ray.d = toPoint / distance;
+  vec3 wi = vec3(Dot(ray.d, x), Dot(ray.d, y), Dot(ray.d, z));
+  if (wi.z * Dot(ray.d, n) <= 0.0f) return none;
+
+  // What the triangle sends this way from there
+  Hit hit;
+  hit.primitive = emitter.triangle;
+  hit.instance = emitter.instance;
+  SurfaceInteraction source = SurfaceAt(hit, ray);
+  LET(Material) material = materials[objects[source.object].material];
+  if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
+  source.footprint = params.coneSpread * distance;
+  RoleTexels shown = TexelsAt(material, source);
+  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
+                OpacityOf(material, shown, source.alpha);
+  float pdf;
+  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
+  if (IsBlack(f * Le)) return none;
+  float sourcePdf = PdfEmitter(material, source, ray.d, distance);
+  s.rays.shadow += 1u;
+  vec3 start = OffsetRayOrigin(it.p, it.pError, n, ray.d);
+  float reach = DistanceToLight(it.p, point, source.n, ray.d, distance);
+  return f * Le * LightTransmittance(start, ray.d, reach, wi.z > 0.0f ? before : behind) *
+         (1.0f / (sourcePdf + pdf));
+}
+
 // Light from one source, chosen and sampled at a vertex, towards wo.
 SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it, vec3 n,
                                vec3 x, vec3 y, vec3 z, vec3 wo, IN(MediumStack) before,
@@ -81,6 +152,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
   vec2 u = PathSample2D(s);
   float importance;
   uint index = ChooseLight(it.p, choice.x, lightSum, importance);
+  float emitterShare = EmitterShare();
+  if (choice.y < emitterShare)
+    return SampledEmitter(s, bsdf, it, n, x, y, z, wo, choice.x, u, before, behind);
   if (index == None) return none;
   LET(Light) light = lights[index];
   LightLiSample li = SampleLi(light, it.p, u);
@@ -95,7 +169,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
   vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
   Spectrum arriving = f * li.irradiance *
                       LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
-  float pick = importance / lightSum;
+  float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
   if (light.found == 1u) {
     float lightPdf = pick * PdfLi(light, it.p, li.wi, li.distance);
@@ -149,7 +223,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     LET(Light) light = lights[object.light];
     float weight = 1.0f;
     if (s.bsdfPdf > 0.0f) {
-      float pick = LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f);
+      float pick =
+          LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * (1.0f - EmitterShare());
       float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
     }
@@ -177,7 +252,15 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     }
     eta = MediumIor(behind) / MediumIor(inside);
   }
-  s.L += s.beta * material.emission * ShownColor(shown, ROLE_EMISSION);
+  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
+  if (!IsBlack(Le)) {
+    float weight = 1.0f;
+    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
+      float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
+      weight = s.bsdfPdf / (s.bsdfPdf + pdf);
+    }
+    s.L += s.beta * Le * weight;
+  }
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
   // Set up the surface's scattering in the frame of its shading normal

@@ -51,6 +51,9 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
 
   Bsdf b;
   b.alpha = GgxWidths(roughness, physical.anisotropy);
+  // Where the indices agree there is no boundary that could scatter
+  if (transmission > 0.0f && metalness == 0.0f && abs(eta - 1.0f) < 1e-3f)
+    b.alpha = vec2(1e-4f, 1e-4f);
   b.metalness = metalness;
   b.thin = material.thin;
   b.eta = eta;

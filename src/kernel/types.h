@@ -283,6 +283,13 @@ struct Light {
   uint found;         // 1: rays that meet its surface see what SampleLi samples
 };
 
+// A triangle that glows, one of those that the path tracer samples.
+struct Emitter {
+  uint triangle;
+  uint instance;  // None: in world space
+  float last;     // of the powers up to and with this one, added up, as a share of all
+};
+
 // The background, by direction: from `bottom` to `top` over the sine of the elevation.
 struct Environment {
   Spectrum bottom;
@@ -316,6 +323,8 @@ struct RenderParams {
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
+  uint emitterCount;
+  float emitterPower;     // of all emitters: their areas times the brightest channels of their radiance
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut

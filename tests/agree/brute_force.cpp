@@ -61,6 +61,7 @@ struct BruteForceKernel {
   const Image* images;
   const uint* texels;
   const Light* lights;
+  const Emitter* emitters;
   const float* albedos;
   WhittedBranch branches[WhittedStackSize];
 
@@ -107,13 +108,17 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,           CountsOf(scene),        scene.objects.data(),
-                          scene.shapes.data(),    scene.instances.data(), scene.meshes.data(),
-                          scene.triangles.data(), scene.positions.data(), scene.normals.data(),
-                          scene.uvs.data(),       scene.tangents.data(),  scene.colors.data(),
-                          scene.materials.data(), scene.terms.data(),     scene.physicals.data(),
-                          scene.textures.data(),  scene.images.data(),    scene.texels.data(),
-                          scene.lights.data(),    scene.albedos.data(),   {}};
+  BruteForceKernel kernel{scene.params,           CountsOf(scene),
+                          scene.objects.data(),   scene.shapes.data(),
+                          scene.instances.data(), scene.meshes.data(),
+                          scene.triangles.data(), scene.positions.data(),
+                          scene.normals.data(),   scene.uvs.data(),
+                          scene.tangents.data(),  scene.colors.data(),
+                          scene.materials.data(), scene.terms.data(),
+                          scene.physicals.data(), scene.textures.data(),
+                          scene.images.data(),    scene.texels.data(),
+                          scene.lights.data(),    scene.emitters.data(),
+                          scene.albedos.data(),   {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

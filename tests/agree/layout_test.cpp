@@ -149,6 +149,9 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
          MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
          MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found)}}},
+      {"Emitter",
+       {sizeof(Emitter),
+        {MEMBER(Emitter, triangle), MEMBER(Emitter, instance), MEMBER(Emitter, last)}}},
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
@@ -162,6 +165,7 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
+         MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
          MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
          MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
          MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
@@ -210,7 +214,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 16u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 17u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -98,6 +98,38 @@ TEST(Path, ManyLightsAddUp) {
     EXPECT_NEAR(MeanOf(b, channel), MeanOf(a, channel), 0.01 * MeanOf(a, channel));
 }
 
+// A mesh that glows lights a floor as the area light of the same shape does, alone and beside others, and also where
+// it is an instance that is turned and stretched.
+TEST(Path, GlowingMeshesAreLights) {
+  const std::string floor =
+      "[camera]\nposition = [0, 2, 3]\nlook_at = [0, 0, 0]\nfov = 40\n[[object]]\nshape = 'plane'\n"
+      "material = { type = 'diffuse', color = 0.6 }\n";
+  // The mesh shines from both of its sides
+  const std::string front =
+      "type = 'rectangle'\nradiance = 5\nvisible = false\ncorner = [-0.5, 1, -2]\n";
+  const std::string light = "[[light]]\n" + front + "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]\n" +
+                            "[[light]]\n" + front + "edge_u = [0, 1, 0]\nedge_v = [1, 0, 0]\n";
+  const std::string quad =
+      "{ positions = [[-0.5, 1, -2], [0.5, 1, -2], [0.5, 2, -2], [-0.5, 2, -2]], polygons = [[0, "
+      "1, "
+      "2, "
+      "3]] }\nmaterial = { type = 'diffuse', color = 0, emission = 5 }\n";
+  const std::string lamp = "[[light]]\ntype = 'point'\nposition = [1, 2, 0]\nintensity = 4\n";
+  const std::string settings = Settings(16, 256, 2);
+  const double one = MeanOf(PictureOf(settings + floor + light));
+  EXPECT_NEAR(MeanOf(PictureOf(settings + floor + "[[object]]\nmesh = " + quad)), one, 0.012 * one);
+  const double both = MeanOf(PictureOf(settings + floor + light + lamp));
+  EXPECT_NEAR(MeanOf(PictureOf(settings + floor + lamp + "[[object]]\nmesh = " + quad)), both,
+              0.012 * both);
+  // Two instances of half the height are one of the whole
+  const std::string group = "[[group.half.object]]\nmesh = " + quad;
+  const std::string instances =
+      group +
+      "[[object]]\ngroup = 'half'\nscale = [1, 0.5, 1]\ntranslate = [0, 0.5, 0]\n"
+      "[[object]]\ngroup = 'half'\nscale = [1, 0.5, 1]\ntranslate = [0, 1, 0]\n";
+  EXPECT_NEAR(MeanOf(PictureOf(settings + floor + instances)), one, 0.012 * one);
+}
+
 // Each pixel depends on the scene and its number alone.
 TEST(Path, IsTheSameOnAnyNumberOfThreads) {
   const std::string text =

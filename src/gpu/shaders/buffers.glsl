@@ -29,6 +29,7 @@ layout(scalar, set = 0, binding = 15) readonly buffer TextureBuffer { Texture te
 layout(scalar, set = 0, binding = 16) readonly buffer ImageBuffer { Image images[]; };
 layout(scalar, set = 0, binding = 17) readonly buffer TexelBuffer { uint texels[]; };
 layout(scalar, set = 0, binding = 18) readonly buffer LightBuffer { Light lights[]; };
-layout(scalar, set = 0, binding = 19) readonly buffer AlbedoBuffer { float albedos[]; };
+layout(scalar, set = 0, binding = 19) readonly buffer EmitterBuffer { Emitter emitters[]; };
+layout(scalar, set = 0, binding = 20) readonly buffer AlbedoBuffer { float albedos[]; };
 
 #endif

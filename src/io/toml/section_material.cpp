@@ -107,7 +107,9 @@ static KeyOf<MaterialDraft> PresetKey() {
 static MaterialKeys CommonKeys() {
   const auto emission =
       Field("emission", &Material::emission, ColorOrTexture(Brightness::Unlimited),
-            "The radiance with which the surface glows, W/(sr·m²); it lights nothing else.")
+            "The radiance with which the surface glows, W/(sr·m²); with `integrator = \"whitted\"` "
+            "it "
+            "lights nothing else.")
           .Not({"emissive", "glow", "radiance"});
   const auto thin =
       Field("thin", &Material::thin, Boolean(),

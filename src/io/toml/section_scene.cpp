@@ -23,12 +23,15 @@ static constexpr float Degree = 0.0174532925199f;
 // --- [render] -----------------------------------------------------------------------------------------------
 
 static Keys<RenderSettings> SamplingKeys() {
-  const auto integrators = Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
+  const auto integrators =
+      Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
   return {
       Field("spp", &RenderSettings::spp, Integer(1, 1 << 20), "Samples per pixel.")
           .Not({"samples", "samples_per_pixel"}),
       Field("seed", &RenderSettings::seed, Seed(), "Another number gives other noise."),
-      Field("integrator", &RenderSettings::integrator, integrators, "The way to follow the light."),
+      Field("integrator", &RenderSettings::integrator, integrators,
+            "How light is followed: a tree of mirrored and refracted rays, or paths with all "
+            "reflections between surfaces."),
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
@@ -182,7 +185,7 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
       SectionOf<EnvironmentDraft>(
           "environment", "[environment]",
           "What is behind everything: one colour, or a gradient from bottom to top. It is seen, "
-          "also in mirrors, but does not light matt surfaces.",
+          "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
           Join<EnvironmentDraft>({{color},
                                   Within(&EnvironmentDraft::environment, GradientKeys()),
                                   Within(&EnvironmentDraft::environment, {ior})}))
