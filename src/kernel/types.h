@@ -324,7 +324,8 @@ struct RenderParams {
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
   uint emitterCount;
-  float emitterPower;     // of all emitters: their areas times the brightest channels of their radiance
+  float
+      emitterPower;  // of all emitters: their areas times the brightest channels of their radiance
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut

@@ -47,7 +47,7 @@ struct Statistics {
   std::uint64_t droppedBranches = 0;       // of ray trees too wide for the integrator's stack
   std::uint64_t droppedPrimitives = 0;     // with coordinates that are not finite
 
-  std::vector<std::string> warnings;       // of the scene's preparation
+  std::vector<std::string> warnings;  // of the scene's preparation
 
   int threads = 0;
   std::string device;  // "CPU, AVX-512"

@@ -72,8 +72,7 @@ IndexFault CheckCorner(std::string_view word) {
 
 }  // namespace
 
-ObjLines::ObjLines(MeshFile& file, ObjParts& parts)
-    : file_(file), parts_(parts) {
+ObjLines::ObjLines(MeshFile& file, ObjParts& parts) : file_(file), parts_(parts) {
   MakeUtf8(file.bytes, file.name);
   next_ = file.bytes.data();
   end_ = next_ + file.bytes.size();
