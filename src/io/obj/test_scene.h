@@ -3,8 +3,6 @@
 // For the tests of OBJ scenes: files and pictures in a folder that goes with the test.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,24 +10,13 @@
 
 #include "image/write.h"
 #include "io/obj/scene.h"
+#include "io/test_folder.h"
 #include "util/error.h"
 
 namespace snell::io {
 
-class ObjTestScene {
+class ObjTestScene : public TestFolder {
  public:
-  ObjTestScene() {
-    static int count = 0;
-    folder_ = std::filesystem::temp_directory_path() /
-              ("snell-obj-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
-    std::filesystem::create_directories(folder_);
-  }
-  ~ObjTestScene() { std::filesystem::remove_all(folder_); }
-  ObjTestScene(const ObjTestScene&) = delete;
-  ObjTestScene& operator=(const ObjTestScene&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
-
   ObjTestScene& Write(const std::string& name, const std::string& text) {
     std::filesystem::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -78,16 +65,6 @@ class ObjTestScene {
   std::vector<std::string> warnings;
   std::string error;
   scene::Scene contents;  // of ReadMaterial
-
- private:
-  std::string Local(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
-      text.erase(at, prefix.size());
-    return text;
-  }
-
-  std::filesystem::path folder_;
 };
 
 }  // namespace snell::io

@@ -3,8 +3,6 @@
 // For the tests of pbrt scenes: files in a folder that goes with the test.
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -14,23 +12,12 @@
 #include "image/write.h"
 #include "io/pbrt/pbrt.h"
 #include "io/read_scene.h"
+#include "io/test_folder.h"
 
 namespace snell::io {
 
-class PbrtTestScene {
+class PbrtTestScene : public TestFolder {
  public:
-  PbrtTestScene() {
-    static int count = 0;
-    folder_ = std::filesystem::temp_directory_path() /
-              ("snell-pbrt-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
-    std::filesystem::create_directories(folder_);
-  }
-  ~PbrtTestScene() { std::filesystem::remove_all(folder_); }
-  PbrtTestScene(const PbrtTestScene&) = delete;
-  PbrtTestScene& operator=(const PbrtTestScene&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
-
   PbrtTestScene& Write(const std::string& name, const std::string& text) {
     std::filesystem::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -72,16 +59,6 @@ class PbrtTestScene {
 
   std::vector<std::string> warnings;
   std::string error;
-
- private:
-  std::string Local(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
-      text.erase(at, prefix.size());
-    return text;
-  }
-
-  std::filesystem::path folder_;
 };
 
 }  // namespace snell::io

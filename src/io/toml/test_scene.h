@@ -3,13 +3,12 @@
 // For the tests of the TOML reader: scene files in a folder of their own, which goes with the test.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "io/test_folder.h"
 #include "io/toml/scene.h"
 #include "util/error.h"
 
@@ -19,21 +18,10 @@ namespace snell::io {
 inline const std::string OnePixel =
     "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x01\x01\x81";
 
-class TestScene {
+class TestScene : public TestFolder {
  public:
-  TestScene() {
-    static int count = 0;
-    const std::string name =
-        "snell-toml-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
-    folder_ = std::filesystem::temp_directory_path() / name;
-    std::filesystem::create_directories(folder_);
-  }
+  TestScene() = default;
   explicit TestScene(const std::string& text) : TestScene() { Write("scene.toml", text); }
-  ~TestScene() { std::filesystem::remove_all(folder_); }
-  TestScene(const TestScene&) = delete;
-  TestScene& operator=(const TestScene&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
 
   TestScene& Write(const std::string& name, const std::string& text) {
     std::filesystem::create_directories((folder_ / name).parent_path());
@@ -64,16 +52,6 @@ class TestScene {
 
   ReadOptions options;
   std::vector<std::string> warnings;
-
- private:
-  std::string Local(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
-      text.erase(at, prefix.size());
-    return text;
-  }
-
-  std::filesystem::path folder_;
 };
 
 }  // namespace snell::io
