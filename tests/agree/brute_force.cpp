@@ -67,6 +67,7 @@ struct BruteForceKernel {
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
+#include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
