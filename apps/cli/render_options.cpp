@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <sstream>
 
 #include "cli/values.h"
 #include "util/file.h"
@@ -20,6 +21,19 @@ constexpr int MaxSamples = std::numeric_limits<int>::max();
 constexpr int MaxThreads = 4096;
 constexpr float MaxStops = 100;
 
+// "albedo,normal".
+std::vector<std::string> ReadAovs(const std::string& text) {
+  const std::vector<std::string> known = KnownAovs();
+  std::vector<std::string> aovs;
+  std::istringstream list(text);
+  for (std::string name; std::getline(list, name, ',');) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw BadValue(fmt::format("must be some of {}", fmt::join(known, ", ")));
+    aovs.push_back(name);
+  }
+  return aovs;
+}
+
 void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddValues(
       command, "-o,--output", "FILE", ReadText, a.outputs,
@@ -33,6 +47,11 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
       "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
       "linear");
+  AddValue<std::vector<std::string>>(
+      command, "--aov", "LIST", ReadAovs, a.aovs,
+      fmt::format("EXR: layers to write besides the picture (the scene's, or none), with commas "
+                  "between them: {}",
+                  fmt::join(KnownAovs(), ", ")));
 }
 
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
@@ -115,6 +134,7 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
   options.camera = arguments.camera;
   options.crop = arguments.crop;
   options.samples = arguments.samples;
+  options.aovs = arguments.aovs;
   options.threads = arguments.threads.value_or(0);
   return options;
 }
@@ -146,6 +166,7 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   };
   require(arguments.bits.has_value(), "--bits", {"png"});
   require(arguments.exrFloat, "--float", {"exr"});
+  require(arguments.aovs.has_value(), "--aov", {"exr"});
   require(arguments.quality.has_value(), "--quality", {"jpg", "jpeg"});
   require(arguments.exposure.has_value(), "--exposure", {"png", "jpg", "jpeg"});
   return outputs;

@@ -24,6 +24,7 @@ struct RenderArguments {
   bool exrFloat = false;
   std::optional<int> quality;
   std::optional<float> exposure;
+  std::optional<std::vector<std::string>> aovs;
 
   std::optional<std::pair<int, int>> size;  // 0: not given
   std::optional<std::array<int, 4>> crop;

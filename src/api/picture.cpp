@@ -40,7 +40,13 @@ static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
 
 void WritePicture(const std::filesystem::path& path, const Picture& picture,
                   const PictureOptions& options) {
-  image::WriteImage(path, ToImage(picture), ToWriteOptions(options));
+  image::Layers layers;
+  layers.metadata = picture.layerMetadata;
+  for (const PictureLayer& layer : picture.layers)
+    layers.layers.push_back({layer.name, layer.channels, layer.isColor, layer.values});
+  image::WriteOptions write = ToWriteOptions(options);
+  write.layers = &layers;
+  image::WriteImage(path, ToImage(picture), write);
 }
 
 void CheckPictureWritable(const std::filesystem::path& path, const PictureOptions& options) {

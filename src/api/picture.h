@@ -12,11 +12,21 @@
 
 namespace snell {
 
+// What a picture holds besides its colours: the channels X, Y and Z of "normal", say, interleaved as those are.
+struct PictureLayer {
+  std::string name;
+  std::vector<std::string> channels;
+  bool isColor = false;  // half floats suffice
+  std::vector<float> values;
+};
+
 // Linear Rec.709 radiance, three floats a pixel, rows from top to bottom.
 struct Picture {
   int width = 0;
   int height = 0;
   std::vector<float> rgb;
+  std::vector<PictureLayer> layers;  // EXR alone has room for them; they are not read
+  std::vector<std::pair<std::string, std::string>> layerMetadata;
 };
 
 // How to write a picture; the extension names the format.

@@ -14,6 +14,14 @@ namespace snell {
 
 namespace {
 
+scene::Aov AovNamed(const std::string& name) {
+  for (const auto& [known, aov] : scene::AovNames()) {
+    if (known == name) return aov;
+  }
+  throw Error(fmt::format("there is no AOV '{}'", name), {},
+              fmt::format("the AOVs are: {}", fmt::join(KnownAovs(), ", ")));
+}
+
 scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions& options) {
   scene::RenderSettings settings = scene.settings;
   // One of width and height given alone keeps the aspect ratio
@@ -35,6 +43,10 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
       throw Error(fmt::format("there is no integrator '{}'", *options.integrator), {},
                   "the integrators are: whitted, path");
     settings.integrator = isPath ? scene::Integrator::Path : scene::Integrator::Whitted;
+  }
+  if (options.aovs) {
+    settings.aovs = {};
+    for (const std::string& name : *options.aovs) settings.aovs.Add(AovNamed(name));
   }
   scene::Validate(settings);
   return settings;
@@ -78,6 +90,14 @@ void CheckMemory(const render::PixelRect& rect) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
+void AddLayers(const render::AovFilm& aovs, Picture& picture) {
+  image::Layers layers = aovs.ToLayers();
+  for (image::Layer& layer : layers.layers)
+    picture.layers.push_back(
+        {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
+  picture.layerMetadata = std::move(layers.metadata);
+}
+
 RenderReport ReportOf(const render::Statistics& statistics, const render::RenderRequest& request,
                       bool stopped) {
   RenderReport report;
@@ -118,6 +138,12 @@ RenderReport ReportOf(const render::Statistics& statistics, const render::Render
 
 }  // namespace
 
+std::vector<std::string> KnownAovs() {
+  std::vector<std::string> names;
+  for (const auto& [name, aov] : scene::AovNames()) names.push_back(name);
+  return names;
+}
+
 RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* progress,
                     const StopFlag* stop) {
   const scene::Scene& contents = scene.contents();
@@ -137,6 +163,11 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   const ThreadLimit limit(options.threads);
   CheckMemory(request.rect);
   render::Film film(request.rect);
+  std::optional<render::AovFilm> aovs;
+  if (!request.settings.aovs.Empty()) {
+    aovs.emplace(request.rect, request.settings.aovs, scene::LightGroupsOf(contents));
+    request.aovs = &*aovs;
+  }
   cpu::CpuRenderer renderer;
   const render::Statistics statistics = renderer.Render(contents, request, film, progress, stop);
 
@@ -148,6 +179,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   result.picture.rgb.reserve(image.pixels.size() * 3);
   for (const kernel::vec3& pixel : image.pixels)
     result.picture.rgb.insert(result.picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  if (aovs) AddLayers(*aovs, result.picture);
   const std::uint64_t asked = std::uint64_t(request.lastSample - request.firstSample) *
                               std::uint64_t(request.rect.Width()) *
                               std::uint64_t(request.rect.Height());

@@ -27,9 +27,13 @@ struct RenderOptions {
   std::optional<std::array<int, 4>>
       crop;  // x0, y0, x1, y1 in pixels; the picture has just these pixels
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
-      samples;      // [first, last) instead of [0, spp)
-  int threads = 0;  // 0: all processors
+      samples;                                   // [first, last) instead of [0, spp)
+  std::optional<std::vector<std::string>> aovs;  // layers of the picture (docs/aovs.md), "all"
+  int threads = 0;                               // 0: all processors
 };
+
+// The names of AOVs, for messages.
+SNELL_EXPORT std::vector<std::string> KnownAovs();
 
 struct RenderReport {
   std::string device;

@@ -69,8 +69,12 @@ static Camera FlattenCamera(const scene::Camera& camera, const scene::RenderSett
 }
 
 static Environment FlattenEnvironment(const scene::Environment& environment) {
-  return {environment.bottom, environment.top, std::sin(environment.bottomElevation),
-          std::sin(environment.topElevation), environment.ior};
+  return {environment.bottom,
+          environment.top,
+          std::sin(environment.bottomElevation),
+          std::sin(environment.topElevation),
+          environment.ior,
+          0};
 }
 
 // What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
@@ -107,6 +111,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
+  flat.params.aovs = settings.aovs.Empty() ? 0 : 1;
   FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);

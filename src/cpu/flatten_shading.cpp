@@ -295,21 +295,34 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   return m;
 }
 
+// The number of a light group, by which kernel records name it.
+static uint GroupIndex(const std::vector<std::string>& groups, const std::string& name) {
+  return uint(std::ranges::find(groups, name) - groups.begin());
+}
+
 void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
   FlattenTextures(scene, flat);
-  for (const scene::Material& material : scene.materials)
+  const std::vector<std::string> groups = scene::LightGroupsOf(scene);
+  for (const scene::Material& material : scene.materials) {
     flat.materials.push_back(FlattenMaterial(material, flat));
+    flat.materials.back().lightGroup = GroupIndex(groups, material.lightGroup);
+  }
 }
 
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
+  const std::vector<std::string> groups = scene::LightGroupsOf(scene);
+  flat.params.environment.group = GroupIndex(groups, scene.environment.lightGroup);
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
+    const uint group = GroupIndex(groups, light.group);
     if (light.kind == scene::LightKind::Ambient) {
       flat.params.ambient += light.color * light.strength;
+      flat.params.ambientByGroup[group] += light.color * light.strength;
       continue;
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
+    flat.lights.back().group = group;
     flat.lights.back().found = light.visible && HasSurface(light) && light.range <= 0 &&
                                        light.falloff == scene::Falloff::InverseSquare
                                    ? 1
@@ -326,6 +339,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       flat.materials.push_back(black);
     }
     const uint object = uint(flat.objects.size());
+    flat.surfaceLights.push_back(std::uint32_t(&light - scene.lights.data()));
     flat.objects.push_back(
         {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0))});
     AppendSurface(light, object, flat);

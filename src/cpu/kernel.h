@@ -36,6 +36,7 @@ struct Kernel {
   const float* albedos;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
+  AovSample* aovs = nullptr;          // its record
 
   Hit ClosestHit(const Ray& ray, float tMax, uint mask) {
     const bvh::Intersection found = bvh.Closest(ray, tMax, mask);
@@ -45,6 +46,7 @@ struct Kernel {
 
 #include "kernel/path.h"
 #include "kernel/path_light.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"

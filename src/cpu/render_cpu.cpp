@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cpu/aov_names.h"
 #include "cpu/bind_kernel.h"
 #include "render/tiles.h"
 #include "util/check.h"
@@ -79,9 +80,11 @@ Traced TracePath(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
 
 void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect tile,
                 render::SampleRange samples, Replay& replay, render::Film& film,
-                WorkerCounts& counts) {
+                render::AovFilm* aovs, WorkerCounts& counts) {
   WhittedBranch branches[WhittedStackSize];
   kernel.branches = branches;
+  AovSample aov = {};
+  kernel.aovs = &aov;
   const auto trace = integrator == scene::Integrator::Path ? TracePath : TraceWhitted;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
@@ -98,8 +101,11 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
           ++counts.nonFiniteSamples;
           if (counts.nonFinite.size() < NonFiniteKept) counts.nonFinite.push_back({x, y, sample});
           L = Spectrum(0.0f);
+          aov.direct = L;
+          for (Spectrum& group : aov.groups) group = L;
         }
         film.Add(x, y, L);
+        if (aovs) aovs->Add(x, y, L, aov);
         counts.rays.Add(traced.rays);
         counts.droppedBranches += traced.dropped;
         ++counts.samples;
@@ -135,6 +141,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   // Render pass by pass, tile by tile
   timer = {};
   const Kernel kernel = BindKernel(flat, bvh);
+  if (request.aovs) request.aovs->SetNames(AovNamesOf(scene, flat));
   const std::vector<render::PixelRect> tiles = render::TilesInOrder(request.rect, TileSize);
   const std::uint64_t pixels =
       std::uint64_t(request.rect.Width()) * std::uint64_t(request.rect.Height());
@@ -151,7 +158,8 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
       const std::uint64_t raysBefore = counts.rays.Sum();
       Replay replay{&scene, 0, 0, 0};
       const CheckContext context(Replay::Describe, &replay);
-      RenderTile(kernel, request.settings.integrator, tiles[i], pass, replay, film, counts);
+      RenderTile(kernel, request.settings.integrator, tiles[i], pass, replay, film, request.aovs,
+                 counts);
       const std::uint64_t samples = samplesDone += counts.samples - samplesBefore;
       const std::uint64_t rays = raysDone += counts.rays.Sum() - raysBefore;
       if (progress) progress->Update(samples, rays);

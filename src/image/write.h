@@ -13,6 +13,7 @@
 #include <string>
 
 #include "image/image.h"
+#include "image/layer.h"
 
 namespace snell::image {
 
@@ -22,6 +23,7 @@ struct WriteOptions {
   float exposure = 0;     // stops, for PNG and JPEG; EXR and HDR stay as they are
   int jpegQuality = 95;   // 1 to 100; colour is stored at full resolution from 90 on
   Metadata metadata = {};
+  const Layers* layers = nullptr;  // EXR: what it holds besides; others leave it out
 };
 
 // Write a picture. Values that are not finite become 0 in PNG and JPEG, and are clamped to what the

@@ -108,6 +108,11 @@ FN float BaseReflectionShare(Spectrum reflectance, Spectrum transmittance) {
 
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
 FN bool IsSmoothCoat(IN(Bsdf) b) { return b.coatAlpha.x < SmoothAlpha; }
+// Whether it only mirrors and refracts.
+FN bool IsPerfectlySmooth(IN(Bsdf) b) {
+  return b.pickDiffuse + b.pickDiffuseTransmission + b.pickFuzz <= 0.0f && IsSmoothBase(b) &&
+         (b.coat <= 0.0f || IsSmoothCoat(b));
+}
 
 // Passing the coat takes its colour along the way; the exponent is the way's length through it.
 FN Spectrum CoatPassage(IN(Bsdf) b, float cosine) {

@@ -21,6 +21,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   vec2 offset = SamplePixelFilter(PathSample2D(s));
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
   s.ray = GenerateRay(params.camera, place);
+  AovBegin(s.ray);
   s.beta = Spectrum(1.0f, 1.0f, 1.0f);
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
   s.etaScale = 1.0f;
@@ -48,9 +49,13 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Hit hit = ClosestHit(ray, Infinite, s.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
     Spectrum Le = EnvironmentLe(params.environment, ray.d);
+    AovPathFeatures(s.beta * s.etaScale, Le, vec3(0.0f, 0.0f, 0.0f));
+    s.L += AovLight(s.beta * Le, params.environment.group, s.depth - 1u);
     // Ambient lights light surfaces but are not seen
-    if (s.depth > 1u) Le += params.ambient;
-    s.L += s.beta * Le;
+    if (s.depth > 1u) {
+      s.L += s.beta * params.ambient;
+      AovAmbient(s.beta, s.depth - 1u);
+    }
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -82,8 +87,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
 
   // The surface of an area light shines from its front
   if (object.light != None) {
+    AovSurface(it);
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
+    AovPathFeatures(s.beta * s.etaScale, light.emission, n);
     float weight = 1.0f;
     if (s.bsdfPdf > 0.0f) {
       float pick =
@@ -91,7 +98,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
     }
-    s.L += s.beta * light.emission * weight;
+    s.L += AovLight(s.beta * light.emission * weight, light.group, s.depth - 1u);
     return;
   }
 
@@ -115,6 +122,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     }
     eta = MediumIor(behind) / MediumIor(inside);
   }
+  AovSurface(it);
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
   if (!IsBlack(Le)) {
     float weight = 1.0f;
@@ -122,9 +130,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    s.L += s.beta * Le * weight;
+    s.L += AovLight(s.beta * Le * weight, material.lightGroup, s.depth - 1u);
   }
-  if (s.depth >= params.maxDepth || material.closure == None) return;
+  bool deepest = s.depth >= params.maxDepth;
+  if (material.closure == None || (deepest && params.aovs == 0u)) return;
 
   // Set up the surface's scattering in the frame of its shading normal
   it.ns = MappedNormal(material, it, shown);
@@ -139,11 +148,16 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   }
   vec3 woLocal = vec3(Dot(wo, x), Dot(wo, y), Dot(wo, z));
   Bsdf bsdf = BsdfAt(material, shown, it.color, eta, woLocal.z);
+  if (params.aovs == 1u && (deepest || !IsPerfectlySmooth(bsdf)))
+    AovPathFeatures(s.beta * s.etaScale,
+                    AlbedoOfPhysical(physicals[material.closure], shown, it.color) + Le,
+                    FaceForward(it.ns, n));
+  if (deepest) return;
 
   // Gather the light of one source, then choose the way on
   float lightSum;
   Spectrum sampled = SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, lightSum);
-  s.L += s.beta * sampled;
+  s.L += AovLight(s.beta * sampled, aovs[0].group, s.depth);
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(bsdf, woLocal, lobe.x, PathSample2D(s));
   if (next.pdf <= 0.0f) return;

@@ -94,6 +94,7 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceIn
   LET(Material) material = materials[objects[source.object].material];
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
   source.footprint = params.coneSpread * distance;
+  aovs[0].group = material.lightGroup;
   RoleTexels shown = TexelsAt(material, source);
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
                 OpacityOf(material, shown, source.alpha);
@@ -122,6 +123,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
     return SampledEmitter(s, bsdf, it, n, x, y, z, wo, choice.x, u, before, behind);
   if (index == None) return none;
   LET(Light) light = lights[index];
+  aovs[0].group = light.group;
   LightLiSample li = SampleLi(light, it.p, u);
   if (IsBlack(li.irradiance)) return none;
   vec3 wi = vec3(Dot(li.wi, x), Dot(li.wi, y), Dot(li.wi, z));

@@ -227,6 +227,7 @@ CONST uint ALPHA_MASK = 1u;   // there or not
 CONST uint ALPHA_BLEND = 2u;  // by parts
 
 struct Material {
+  uint lightGroup;  // of its emission
   uint firstTerm;
   uint termCount;
   uint reflection;
@@ -264,8 +265,12 @@ CONST uint FALLOFF_NONE = 0u;
 CONST uint FALLOFF_LINEAR = 1u;
 CONST uint FALLOFF_INVERSE_SQUARE = 2u;
 
+// Groups of sources whose light is told apart (aov.h); 0 is of all that are in none.
+CONST uint MaxLightGroups = 16u;
+
 struct Light {
   uint kind;
+  uint group;  // its light group
   uint falloff;
   uint samples;       // shadow rays per camera sample
   Spectrum emission;  // W/sr (point, spot), W/m² (directional) or W/(sr·m²) (areas)
@@ -296,7 +301,8 @@ struct Environment {
   Spectrum top;
   float sinBottom;
   float sinTop;
-  float ior;  // of the space around the scene
+  float ior;   // of the space around the scene
+  uint group;  // its light group
 };
 
 CONST uint CAMERA_PINHOLE = 0u;
@@ -322,6 +328,8 @@ struct RenderParams {
   Camera camera;
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
+  Spectrum ambientByGroup[MaxLightGroups];
+  uint aovs;  // 1: samples tell more than their radiance (aov.h)
   uint lightCount;
   uint emitterCount;
   float

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "render/aov_film.h"
 #include "render/film.h"
 #include "render/statistics.h"
 #include "scene/scene.h"
@@ -19,6 +20,7 @@ struct RenderRequest {
   PixelRect rect;  // pixels to render; within the picture
   std::uint32_t firstSample = 0;
   std::uint32_t lastSample = 0;  // one past the last
+  AovFilm* aovs = nullptr;       // receives what settings.aovs asks for, of the same pixels
 };
 
 class Renderer {

@@ -194,6 +194,7 @@ struct Material {
   std::optional<OpenPbr> physical;
 
   // Of both kinds
+  std::string lightGroup;  // of what it emits, as Light::group
   ReliefMap normalMap;
   ReliefMap bumpMap;
   Displacement displacement;

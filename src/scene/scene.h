@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/types.h"
+#include "scene/aov.h"
 #include "scene/material.h"
 #include "util/error.h"
 
@@ -30,6 +31,7 @@ enum class Falloff { None, Linear, InverseSquare };
 struct Light {
   std::string name;
   LightKind kind = LightKind::Point;
+  std::string group;  // of sources whose light a picture tells apart; "": none
   Spectrum color{1.0f};
   // W/sr (point, spot), W/m² facing the light (directional), W/(sr·m²) (ambient and areas)
   float strength = 1;
@@ -168,6 +170,7 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
+  std::string lightGroup;  // as Light::group
 };
 
 enum class Integrator { Whitted, Path };
@@ -186,6 +189,7 @@ struct RenderSettings {
   float exposure = 0;      // stops, for pictures that are not linear
   bool tintedShadows = true;
   std::uint32_t seed = 0;
+  AovSet aovs;
 };
 
 struct Scene {

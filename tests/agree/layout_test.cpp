@@ -11,6 +11,7 @@
 
 #include "agree/brute_force.h"
 #include "agree/spirv.h"
+#include "kernel/aov.h"
 #include "kernel/types.h"
 
 namespace snell::agree {
@@ -44,6 +45,11 @@ template <>
 const char* NameInGlsl<float[FilterQuantileCount]>() {
   static const std::string name = fmt::format("float[{}]", FilterQuantileCount);
   return name.c_str();
+}
+
+template <>
+const char* NameInGlsl<Spectrum[MaxLightGroups]>() {
+  return "vec3[16]";
 }
 
 template <>
@@ -131,20 +137,21 @@ std::map<std::string, Record> RecordsInCpp() {
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
          MEMBER(Term, color)}}},
       {"Material",
-       {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
-                           MEMBER(Material, reflection),   MEMBER(Material, refractive),
-                           MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, absorption),
-                           MEMBER(Material, emission),     MEMBER(Material, reflectivity),
-                           MEMBER(Material, transparency), MEMBER(Material, physical),
-                           MEMBER(Material, closure),      MEMBER(Material, textured),
-                           MEMBER(Material, textures),     MEMBER(Material, singleSided),
-                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
-                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
-                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
+       {sizeof(Material), {MEMBER(Material, lightGroup),   MEMBER(Material, firstTerm),
+                           MEMBER(Material, termCount),    MEMBER(Material, reflection),
+                           MEMBER(Material, refractive),   MEMBER(Material, thin),
+                           MEMBER(Material, priority),     MEMBER(Material, ior),
+                           MEMBER(Material, absorption),   MEMBER(Material, emission),
+                           MEMBER(Material, reflectivity), MEMBER(Material, transparency),
+                           MEMBER(Material, physical),     MEMBER(Material, closure),
+                           MEMBER(Material, textured),     MEMBER(Material, textures),
+                           MEMBER(Material, singleSided),  MEMBER(Material, alphaMode),
+                           MEMBER(Material, opacity),      MEMBER(Material, alphaCutoff),
+                           MEMBER(Material, normalScale),  MEMBER(Material, bumpMap),
+                           MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
-        {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
+        {MEMBER(Light, kind), MEMBER(Light, group), MEMBER(Light, falloff), MEMBER(Light, samples),
          MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
          MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
          MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
@@ -155,7 +162,7 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
-         MEMBER(Environment, sinTop), MEMBER(Environment, ior)}}},
+         MEMBER(Environment, sinTop), MEMBER(Environment, ior), MEMBER(Environment, group)}}},
       {"Camera",
        {sizeof(Camera),
         {MEMBER(Camera, kind), MEMBER(Camera, inside), MEMBER(Camera, resolution),
@@ -164,12 +171,19 @@ std::map<std::string, Record> RecordsInCpp() {
       {"RenderParams",
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
-         MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
+         MEMBER(RenderParams, ambient), MEMBER(RenderParams, ambientByGroup),
+         MEMBER(RenderParams, aovs), MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
          MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
          MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
          MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
          MEMBER(RenderParams, filterQuantiles)}}},
+      {"AovSample",
+       {sizeof(AovSample),
+        {MEMBER(AovSample, start), MEMBER(AovSample, seen), MEMBER(AovSample, object),
+         MEMBER(AovSample, depth), MEMBER(AovSample, position), MEMBER(AovSample, uv),
+         MEMBER(AovSample, described), MEMBER(AovSample, albedo), MEMBER(AovSample, normal),
+         MEMBER(AovSample, group), MEMBER(AovSample, direct), MEMBER(AovSample, groups)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
         {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),
@@ -214,7 +228,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 17u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 18u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -57,6 +57,7 @@ static Keys<RenderSettings> PictureKeys() {
 }
 
 static void FinishRender(Reader&, const Fields&, RenderDraft& draft) {
+  for (const scene::Aov aov : draft.aovs) draft.settings.aovs.Add(aov);
   draft.settings.width = draft.size[0];
   draft.settings.height = draft.size[1];
 }
@@ -65,12 +66,19 @@ const SectionOf<RenderDraft>& RenderSection() {
   const auto size =
       Field("size", &RenderDraft::size, ImageSize(), "Width and height of the picture.")
           .Not({"resolution", "width", "height", "image_size"});
+  const auto aovs = Field("aovs", &RenderDraft::aovs,
+                          ListOf(Choice<scene::Aov>(scene::AovNames()), "names of layers"),
+                          "Layers that an EXR holds besides the picture.")
+                        .Standard("none")
+                        .Example("[\"albedo\", \"normal\", \"depth\"]")
+                        .Not({"aov", "passes", "layers"});
   static const SectionOf<RenderDraft> section =
       SectionOf<RenderDraft>("render", "[render]",
                              "How the picture is made. The command line overrides it.",
                              Join<RenderDraft>({{size},
                                                 Within(&RenderDraft::settings, SamplingKeys()),
-                                                Within(&RenderDraft::settings, PictureKeys())}))
+                                                Within(&RenderDraft::settings, PictureKeys()),
+                                                {aovs}}))
           .Checked(FinishRender);
   return section;
 }
@@ -181,6 +189,10 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
   const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
                          "Index of refraction of the space around the objects.")
                        .Not({"index", "refractive_index", "index_of_refraction"});
+  const auto group = Field("light_group", &Environment::lightGroup, LightGroupName(),
+                           "Of its light, as a light's.")
+                         .Standard("none")
+                         .Not({"group"});
   static const SectionOf<EnvironmentDraft> section =
       SectionOf<EnvironmentDraft>(
           "environment", "[environment]",
@@ -188,7 +200,7 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
           "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
           Join<EnvironmentDraft>({{color},
                                   Within(&EnvironmentDraft::environment, GradientKeys()),
-                                  Within(&EnvironmentDraft::environment, {ior})}))
+                                  Within(&EnvironmentDraft::environment, {ior, group})}))
           .OnlyOne({{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}})
           .Checked(CheckEnvironment);
   return section;

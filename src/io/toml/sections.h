@@ -207,6 +207,7 @@ scene::Mesh BuildMesh(const MeshDraft& draft);
 struct RenderDraft {
   scene::RenderSettings settings;
   std::array<int, 2> size{settings.width, settings.height};
+  std::vector<scene::Aov> aovs;
 };
 
 struct CameraDraft {
