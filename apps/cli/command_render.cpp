@@ -93,12 +93,13 @@ void PrintFaults(const Output& output, const Written& written) {
 }
 
 // Write every picture; false if one is not where it was asked for.
-bool WriteAll(const std::vector<Output>& outputs, const Picture& picture, ProgressBar& bar,
+bool WriteAll(const std::vector<Output>& outputs, const RenderResult& result, ProgressBar& bar,
               RenderSummary& summary) {
   bool allInPlace = true;
   const Timer timer;
   bar.Begin("writing", outputs.size());
   for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Picture& picture = outputs[i].denoised ? *result.denoised : result.picture;
     const Written written = WriteOrRescue(outputs[i], picture);
     bar.Interrupt([&] { PrintFaults(outputs[i], written); });
     if (!written.path.empty()) summary.files.push_back(written.path.string());
@@ -147,11 +148,12 @@ int RunRender(const RenderArguments& arguments) {
   // Write what there is
   for (Output& output : outputs) {
     output.options.exposure = arguments.exposure.value_or(scene.exposure());
+    output.options.view = arguments.view.value_or(scene.view());
     output.options.metadata = MetadataOf(arguments, result.report);
+    if (output.denoised) output.options.metadata.emplace_back("Denoiser", result.report.denoiser);
   }
   bool allInPlace = true;
-  if (result.report.samplesPerPixel > 0)
-    allInPlace = WriteAll(outputs, result.picture, bar, summary);
+  if (result.report.samplesPerPixel > 0) allInPlace = WriteAll(outputs, result, bar, summary);
 
   // Sum up
   summary.totalSeconds = timer.Seconds();

@@ -17,6 +17,7 @@ namespace snell::cli {
 struct Output {
   std::filesystem::path path;
   PictureOptions options;
+  bool denoised = false;  // the picture without noise
 };
 
 // Where a picture is, and what went wrong on the way.

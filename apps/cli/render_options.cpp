@@ -47,6 +47,13 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
       "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
       "linear");
+  AddChoice(command, "--view", "srgb|agx|neutral|aces|false-color|raw", a.view,
+            "PNG and JPEG: how light brighter than white is shown (the scene's, or srgb)");
+  AddFlag(command, "--denoise", a.denoise,
+          "Write each picture a second time, without noise, with .denoised before its extension");
+  AddChoice(command, "--denoiser", "nfor|oidn", a.denoiser,
+            "The same by the built-in denoiser or by Open Image Denoise (the latter if it is "
+            "installed)");
   AddValue<std::vector<std::string>>(
       command, "--aov", "LIST", ReadAovs, a.aovs,
       fmt::format("EXR: layers to write besides the picture (the scene's, or none), with commas "
@@ -135,6 +142,10 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
   options.crop = arguments.crop;
   options.samples = arguments.samples;
   options.aovs = arguments.aovs;
+  if (arguments.denoiser)
+    options.denoiser = *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
+  else if (arguments.denoise)
+    options.denoiser = Denoiser::Automatic;
   options.threads = arguments.threads.value_or(0);
   return options;
 }
@@ -152,6 +163,13 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
     if (arguments.bits == "16" && LowerExtension(name) == "png") output.options.bits = 16;
     output.options.exrFloat = arguments.exrFloat;
     output.options.jpegQuality = arguments.quality.value_or(output.options.jpegQuality);
+    outputs.push_back(output);
+    if (!arguments.denoise && !arguments.denoiser) continue;
+    output.denoised = true;
+    output.path.replace_extension(".denoised" + output.path.extension().string());
+    if (!seen.insert(output.path.lexically_normal()).second)
+      throw UsageError("--output names '" + output.path.string() +
+                       "', where the denoised picture goes");
     outputs.push_back(std::move(output));
   }
 
@@ -167,6 +185,7 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   require(arguments.bits.has_value(), "--bits", {"png"});
   require(arguments.exrFloat, "--float", {"exr"});
   require(arguments.aovs.has_value(), "--aov", {"exr"});
+  require(arguments.view.has_value(), "--view", {"png", "jpg", "jpeg"});
   require(arguments.quality.has_value(), "--quality", {"jpg", "jpeg"});
   require(arguments.exposure.has_value(), "--exposure", {"png", "jpg", "jpeg"});
   return outputs;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/picture.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "image/compare.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -28,11 +31,20 @@ static Picture ToPicture(const image::Image& image) {
   return picture;
 }
 
+static image::View ViewNamed(const std::string& name) {
+  for (const auto& [known, view] : image::ViewNames()) {
+    if (known == name) return view;
+  }
+  throw Error(fmt::format("there is no view '{}'", name), {},
+              fmt::format("the views are: {}", fmt::join(KnownViews(), ", ")));
+}
+
 static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
   image::WriteOptions write;
   write.bits = options.bits;
   write.exrFloat = options.exrFloat;
   write.exposure = options.exposure;
+  write.view = ViewNamed(options.view);
   write.jpegQuality = options.jpegQuality;
   write.metadata = options.metadata;
   return write;
@@ -51,6 +63,12 @@ void WritePicture(const std::filesystem::path& path, const Picture& picture,
 
 void CheckPictureWritable(const std::filesystem::path& path, const PictureOptions& options) {
   image::CheckWritable(path, ToWriteOptions(options));
+}
+
+std::vector<std::string> KnownViews() {
+  std::vector<std::string> names;
+  for (const auto& [name, view] : image::ViewNames()) names.push_back(name);
+  return names;
 }
 
 std::string KnownPictureExtensions() { return image::KnownWriteExtensions(); }

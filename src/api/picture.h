@@ -31,9 +31,10 @@ struct Picture {
 
 // How to write a picture; the extension names the format.
 struct PictureOptions {
-  int bits = 8;           // PNG: 8 or 16
-  bool exrFloat = false;  // EXR: 32-bit float instead of half
-  float exposure = 0;     // stops, for PNG and JPEG; EXR and HDR stay linear
+  int bits = 8;               // PNG: 8 or 16
+  bool exrFloat = false;      // EXR: 32-bit float instead of half
+  float exposure = 0;         // stops, for PNG and JPEG; EXR and HDR stay linear
+  std::string view = "srgb";  // of the same (docs/views.md)
   int jpegQuality = 95;
   std::vector<std::pair<std::string, std::string>> metadata;
 };
@@ -46,6 +47,9 @@ SNELL_EXPORT void CheckPictureWritable(const std::filesystem::path& path,
                                        const PictureOptions& options = {});
 // "png, jpg, jpeg, hdr, exr", for messages.
 SNELL_EXPORT std::string KnownPictureExtensions();
+
+// The names of views, for messages.
+SNELL_EXPORT std::vector<std::string> KnownViews();
 
 // Read PNG, JPEG, EXR or HDR, by content. Throws Error.
 SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);

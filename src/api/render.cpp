@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cpu/render_cpu.h"
+#include "render/oidn.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
 #include "util/text.h"
@@ -48,6 +49,7 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
     settings.aovs = {};
     for (const std::string& name : *options.aovs) settings.aovs.Add(AovNamed(name));
   }
+  settings.denoise = options.denoiser != Denoiser::None;
   scene::Validate(settings);
   return settings;
 }
@@ -90,12 +92,35 @@ void CheckMemory(const render::PixelRect& rect) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
+Picture ToPicture(const image::Image& image) {
+  Picture picture;
+  picture.width = image.width;
+  picture.height = image.height;
+  picture.rgb.reserve(image.pixels.size() * 3);
+  for (const kernel::vec3& pixel : image.pixels)
+    picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  return picture;
+}
+
 void AddLayers(const render::AovFilm& aovs, Picture& picture) {
   image::Layers layers = aovs.ToLayers();
   for (image::Layer& layer : layers.layers)
     picture.layers.push_back(
         {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
   picture.layerMetadata = std::move(layers.metadata);
+}
+
+// Add the picture without noise to the result.
+void Denoise(const render::AovFilm& aovs, Denoiser denoiser, RenderResult& result) {
+  const Timer timer;
+  const render::DenoiseInput input = aovs.ToDenoiseInput();
+  const bool byOidn =
+      denoiser == Denoiser::Oidn || (denoiser == Denoiser::Automatic && render::HasOidn());
+  const image::Image image =
+      byOidn ? render::DenoiseByOidn(input) : render::DenoiseByRegression(input);
+  result.denoised = ToPicture(image);
+  result.report.denoiser = byOidn ? "Open Image Denoise" : "nfor";
+  result.report.denoiseSeconds = timer.Seconds();
 }
 
 RenderReport ReportOf(const render::Statistics& statistics, const render::RenderRequest& request,
@@ -164,8 +189,9 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   CheckMemory(request.rect);
   render::Film film(request.rect);
   std::optional<render::AovFilm> aovs;
-  if (!request.settings.aovs.Empty()) {
-    aovs.emplace(request.rect, request.settings.aovs, scene::LightGroupsOf(contents));
+  if (!request.settings.aovs.Empty() || request.settings.denoise) {
+    aovs.emplace(request.rect, request.settings.aovs, scene::LightGroupsOf(contents),
+                 request.settings.denoise);
     request.aovs = &*aovs;
   }
   cpu::CpuRenderer renderer;
@@ -174,16 +200,14 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   // Hand the picture over as plain floats
   const image::Image image = film.ToImage();
   RenderResult result;
-  result.picture.width = image.width;
-  result.picture.height = image.height;
-  result.picture.rgb.reserve(image.pixels.size() * 3);
-  for (const kernel::vec3& pixel : image.pixels)
-    result.picture.rgb.insert(result.picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  result.picture = ToPicture(image);
   if (aovs) AddLayers(*aovs, result.picture);
   const std::uint64_t asked = std::uint64_t(request.lastSample - request.firstSample) *
                               std::uint64_t(request.rect.Width()) *
                               std::uint64_t(request.rect.Height());
   result.report = ReportOf(statistics, request, statistics.samples < asked);
+  if (options.denoiser != Denoiser::None && statistics.samples > 0)
+    Denoise(*aovs, options.denoiser, result);
   return result;
 }
 

@@ -15,6 +15,9 @@
 
 namespace snell {
 
+// How to take noise out of pictures: "nfor" is built in; "oidn" is Open Image Denoise, if its library is installed.
+enum class Denoiser { None, Automatic, Nfor, Oidn };
+
 // Overrides what the scene says; whatever is empty stays as the scene has it.
 struct RenderOptions {
   std::optional<int> width;
@@ -29,6 +32,7 @@ struct RenderOptions {
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
       samples;                                   // [first, last) instead of [0, spp)
   std::optional<std::vector<std::string>> aovs;  // layers of the picture (docs/aovs.md), "all"
+  Denoiser denoiser = Denoiser::None;            // Automatic: Open Image Denoise, else nfor
   int threads = 0;                               // 0: all processors
 };
 
@@ -47,6 +51,8 @@ struct RenderReport {
   double prepareSeconds = 0;  // flattening the scene
   double buildSeconds = 0;    // the BVH
   double renderSeconds = 0;
+  double denoiseSeconds = 0;
+  std::string denoiser;  // that was used
   std::uint64_t sceneBytes = 0;
   std::uint64_t bvhBytes = 0;
   std::uint64_t filmBytes = 0;
@@ -58,6 +64,7 @@ struct RenderReport {
 
 struct RenderResult {
   Picture picture;
+  std::optional<Picture> denoised;  // if that was asked for
   RenderReport report;
 };
 

@@ -111,7 +111,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
-  flat.params.aovs = settings.aovs.Empty() ? 0 : 1;
+  flat.params.aovs = settings.aovs.Empty() && !settings.denoise ? 0 : 1;
   FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);

@@ -105,7 +105,7 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
           for (Spectrum& group : aov.groups) group = L;
         }
         film.Add(x, y, L);
-        if (aovs) aovs->Add(x, y, L, aov);
+        if (aovs) aovs->Add(x, y, sample, L, aov);
         counts.rays.Add(traced.rays);
         counts.droppedBranches += traced.dropped;
         ++counts.samples;

@@ -2,6 +2,7 @@
 #include "render/aov_film.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "util/check.h"
@@ -17,19 +18,27 @@ namespace {
 
 constexpr float Background = 1e10f;  // the depth where nothing is, as Blender has it
 
+// Which half of the samples a number belongs to. Sobol' points are even over blocks whose first and length are powers
+// of two; each such block is cut in the middle, for even and odd numbers would be the left and the right of the pixel.
+std::size_t HalfOf(std::uint32_t number) {
+  if (number < 2) return number;
+  return (number >> (std::bit_width(number) - 2)) & 1;
+}
+
 dvec3 FiniteOrZero(const vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? dvec3(v) : dvec3(0.0);
 }
 
 }  // namespace
 
-AovFilm::AovFilm(PixelRect rect, scene::AovSet wanted, std::vector<std::string> lightGroups)
-    : rect_(rect), wanted_(wanted), lightGroups_(std::move(lightGroups)) {
+AovFilm::AovFilm(PixelRect rect, scene::AovSet wanted, std::vector<std::string> lightGroups,
+                 bool denoise)
+    : rect_(rect), wanted_(wanted), lightGroups_(std::move(lightGroups)), halves_(denoise ? 2 : 1) {
   CHECK(!rect.Empty());
   const std::size_t pixels = std::size_t(rect.Width()) * std::size_t(rect.Height());
   stride_ = FirstGroup + (wanted.Has(Aov::LightGroups) ? lightGroups_.size() : 0);
-  counts_.resize(pixels);
-  sums_.resize(pixels * stride_);
+  counts_.resize(pixels * halves_);
+  sums_.resize(pixels * halves_ * stride_);
   if (wanted.Has(Aov::Depth) || wanted.Has(Aov::Position) || wanted.Has(Aov::Uv))
     nearest_.resize(pixels, {Background});
   if (wanted.Has(Aov::CryptoObject)) objects_.resize(pixels);
@@ -46,10 +55,11 @@ void AovFilm::SetNames(AovNames names) {
   for (const std::uint32_t material : names_.materialsOf) materialIds_.push_back(ids[material]);
 }
 
-void AovFilm::Add(int x, int y, Spectrum L, const kernel::AovSample& sample) {
+void AovFilm::Add(int x, int y, std::uint32_t number, Spectrum L, const kernel::AovSample& sample) {
   const std::size_t pixel = Index(x, y);
-  dvec3* const sums = SumsOf(pixel);
-  ++counts_[pixel];
+  const std::size_t half = pixel * halves_ + (halves_ == 2 ? HalfOf(number) : 0);
+  dvec3* const sums = &sums_[half * stride_];
+  ++counts_[half];
   sums[Radiance] += dvec3(L);
   sums[Square] += dvec3(L) * dvec3(L);
   sums[Albedo] += FiniteOrZero(sample.albedo);
@@ -58,14 +68,35 @@ void AovFilm::Add(int x, int y, Spectrum L, const kernel::AovSample& sample) {
   for (std::size_t i = FirstGroup; i < stride_; ++i)
     sums[i] += FiniteOrZero(sample.groups[i - FirstGroup]);
   if (sample.seen == 0) return;
+  sums[Nearness].x += 1 / std::max(double(sample.depth), 1e-6);
   if (!nearest_.empty() && sample.depth < nearest_[pixel].depth)
     nearest_[pixel] = {sample.depth, sample.position, sample.uv};
   if (!objects_.empty()) objects_[pixel].Add(objectIds_[sample.object]);
   if (!materials_.empty()) materials_[pixel].Add(materialIds_[sample.object]);
 }
 
+dvec3 AovFilm::HalfMean(std::size_t pixel, std::size_t half, std::size_t sum) const {
+  const std::size_t place = pixel * halves_ + half;
+  return counts_[place] == 0 ? dvec3(0.0) : sums_[place * stride_ + sum] / double(counts_[place]);
+}
+
+std::uint32_t AovFilm::Count(std::size_t pixel) const {
+  const std::uint32_t first = counts_[pixel * halves_];
+  return halves_ == 1 ? first : first + counts_[pixel * 2 + 1];
+}
+
 dvec3 AovFilm::Mean(std::size_t pixel, std::size_t sum) const {
-  return counts_[pixel] == 0 ? dvec3(0.0) : sums_[pixel * stride_ + sum] / double(counts_[pixel]);
+  if (halves_ == 1) return HalfMean(pixel, 0, sum);
+  const dvec3 whole = sums_[2 * pixel * stride_ + sum] + sums_[(2 * pixel + 1) * stride_ + sum];
+  return Count(pixel) == 0 ? dvec3(0.0) : whole / double(Count(pixel));
+}
+
+// Of the pixel's value, the mean of its samples.
+dvec3 AovFilm::VarianceOf(std::size_t pixel) const {
+  const double n = Count(pixel);
+  const dvec3 mean = Mean(pixel, Radiance);
+  const dvec3 spread = n > 1 ? (Mean(pixel, Square) - mean * mean) / (n - 1) : dvec3(0.0);
+  return {std::max(spread.x, 0.0), std::max(spread.y, 0.0), std::max(spread.z, 0.0)};
 }
 
 template <class Values>
@@ -73,8 +104,8 @@ void AovFilm::AddLayer(std::string name, std::vector<std::string> channels, bool
                        Values values, image::Layers& layers) const {
   image::Layer layer{std::move(name), std::move(channels), isColor, {}};
   const std::size_t count = layer.channels.size();
-  layer.values.reserve(counts_.size() * count);
-  for (std::size_t pixel = 0; pixel < counts_.size(); ++pixel) {
+  layer.values.reserve(Pixels() * count);
+  for (std::size_t pixel = 0; pixel < Pixels(); ++pixel) {
     const dvec3 value = values(pixel);
     for (std::size_t i = 0; i < count; ++i) layer.values.push_back(float(value[glm::length_t(i)]));
   }
@@ -88,6 +119,8 @@ void AovFilm::AddColors(const std::string& name, std::size_t sum, image::Layers&
 
 image::Layers AovFilm::ToLayers() const {
   image::Layers layers;
+  std::vector<std::uint32_t> counts;
+  for (std::size_t pixel = 0; pixel < Pixels(); ++pixel) counts.push_back(Count(pixel));
   const auto nearest = [&](const char* name, std::vector<std::string> channels, auto values) {
     AddLayer(
         name, std::move(channels), false,
@@ -104,9 +137,9 @@ image::Layers AovFilm::ToLayers() const {
   if (wanted_.Has(Aov::Uv))
     nearest("uv", {"U", "V"}, [](const Nearest& n) { return vec3(n.uv.x, n.uv.y, 0.0f); });
   if (wanted_.Has(Aov::CryptoObject))
-    AddCryptomatte("crypto_object", names_.objects, objects_, counts_, layers);
+    AddCryptomatte("crypto_object", names_.objects, objects_, counts, layers);
   if (wanted_.Has(Aov::CryptoMaterial))
-    AddCryptomatte("crypto_material", names_.materials, materials_, counts_, layers);
+    AddCryptomatte("crypto_material", names_.materials, materials_, counts, layers);
   if (wanted_.Has(Aov::Direct)) AddColors("direct", Direct, layers);
   if (wanted_.Has(Aov::Indirect))
     AddLayer(
@@ -118,19 +151,29 @@ image::Layers AovFilm::ToLayers() const {
   }
   if (wanted_.Has(Aov::SampleCount))
     AddLayer(
-        "sample_count", {"Y"}, false, [&](std::size_t i) { return dvec3(counts_[i]); }, layers);
+        "sample_count", {"Y"}, false, [&](std::size_t i) { return dvec3(Count(i)); }, layers);
   if (wanted_.Has(Aov::Variance))
     AddLayer(
-        "variance", {"R", "G", "B"}, false,
-        [&](std::size_t i) {
-          // Of the pixel's value: the mean of its samples
-          const double n = counts_[i];
-          const dvec3 mean = Mean(i, Radiance);
-          const dvec3 spread = n > 1 ? (Mean(i, Square) - mean * mean) / (n - 1) : dvec3(0.0);
-          return dvec3(std::max(spread.x, 0.0), std::max(spread.y, 0.0), std::max(spread.z, 0.0));
-        },
-        layers);
+        "variance", {"R", "G", "B"}, false, [&](std::size_t i) { return VarianceOf(i); }, layers);
   return layers;
+}
+
+DenoiseInput AovFilm::ToDenoiseInput() const {
+  CHECK(halves_ == 2);
+  DenoiseInput input{rect_.Width(), rect_.Height(), {}, {}, {}, {}, {}};
+  for (std::size_t pixel = 0; pixel < Pixels(); ++pixel) {
+    for (std::size_t half = 0; half < 2; ++half) {
+      // A half without samples is taken for the other one
+      const bool isEmpty = counts_[2 * pixel + half] == 0;
+      const std::size_t taken = isEmpty ? 1 - half : half;
+      input.color[half].emplace_back(HalfMean(pixel, taken, Radiance));
+      input.albedo[half].emplace_back(HalfMean(pixel, taken, Albedo));
+      input.normal[half].emplace_back(HalfMean(pixel, taken, Normal));
+      input.nearness[half].push_back(float(HalfMean(pixel, taken, Nearness).x));
+    }
+    input.variance.emplace_back(VarianceOf(pixel));
+  }
+  return input;
 }
 
 std::uint64_t AovFilm::MemoryBytes() const {

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "image/view.h"
 #include "kernel/types.h"
 #include "scene/aov.h"
 #include "scene/material.h"
@@ -185,8 +186,10 @@ struct RenderSettings {
   int maxDepth = 16;               // 1: rays from the camera only
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   PixelFilter filter = PixelFilter::BlackmanHarris;
-  float filterRadius = 0;  // pixels; 0: the filter's usual one
-  float exposure = 0;      // stops, for pictures that are not linear
+  float filterRadius = 0;                // pixels; 0: the filter's usual one
+  float exposure = 0;                    // stops, for pictures that are not linear
+  image::View view = image::View::Srgb;  // of the same
+  bool denoise = false;                  // keep what a denoiser wants to know
   bool tintedShadows = true;
   std::uint32_t seed = 0;
   AovSet aovs;

@@ -53,7 +53,10 @@ static Keys<RenderSettings> PictureKeys() {
       Field("filter_radius", &RenderSettings::filterRadius, Number({0, 16}, "pixels"),
             "Radius of the filter; 0: the usual one of its kind."),
       Field("exposure", &RenderSettings::exposure, Number({-32, 32}, "stops"),
-            "Brightens pictures that are not linear; 1 doubles.")};
+            "Brightens pictures that are not linear; 1 doubles."),
+      Field("view", &RenderSettings::view, Choice<image::View>(image::ViewNames()),
+            "How pictures that are not linear show what is brighter than white.")
+          .Not({"view_transform", "tone_mapping", "tonemap"})};
 }
 
 static void FinishRender(Reader&, const Fields&, RenderDraft& draft) {
