@@ -5,8 +5,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/layer.h"
@@ -42,6 +42,11 @@ class AovFilm {
 
   // For denoisers, if they were announced.
   DenoiseInput ToDenoiseInput() const;
+
+  // All sums as bytes, for going on later, and back; the names are not among them. Load throws Error if the bytes are not
+  // those of such a film.
+  std::string Save() const;
+  void Load(std::string_view bytes);
 
   scene::AovSet wanted() const { return wanted_; }
   std::uint64_t MemoryBytes() const;
