@@ -48,7 +48,7 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
       "linear");
   AddChoice(command, "--view", "srgb|agx|neutral|aces|false-color|raw", a.view,
-            "PNG and JPEG: how light brighter than white is shown (the scene's, or srgb)");
+            "PNG and JPEG: how light brighter than white is shown (the scene's, or \"srgb\")");
   AddFlag(command, "--denoise", a.denoise,
           "Write each picture a second time, without noise, with .denoised before its extension");
   AddChoice(command, "--denoiser", "nfor|oidn", a.denoiser,

@@ -81,8 +81,8 @@ render::PixelRect RectOf(const scene::RenderSettings& settings, const RenderOpti
 }
 
 // Refuse a picture that memory cannot hold before any is taken: the film, and copies for output.
-void CheckMemory(const render::PixelRect& rect) {
-  constexpr std::uint64_t BytesPerPixel = 32 + 12 + 12;
+void CheckMemory(const render::PixelRect& rect, std::uint64_t aovBytes) {
+  const std::uint64_t BytesPerPixel = 32 + 12 + 12 + aovBytes;
   const std::uint64_t pixels = std::uint64_t(rect.Width()) * std::uint64_t(rect.Height());
   const std::uint64_t available = AvailableMemoryBytes();
   if (available > 0 && pixels * BytesPerPixel > available)
@@ -186,12 +186,15 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   }
 
   const ThreadLimit limit(options.threads);
-  CheckMemory(request.rect);
+  const std::vector<std::string> groups = scene::LightGroupsOf(contents);
+  const bool hasAovs = !request.settings.aovs.Empty() || request.settings.denoise;
+  CheckMemory(request.rect, hasAovs ? render::AovFilm::BytesPerPixel(request.settings.aovs, groups,
+                                                                     request.settings.denoise)
+                                    : 0);
   render::Film film(request.rect);
   std::optional<render::AovFilm> aovs;
-  if (!request.settings.aovs.Empty() || request.settings.denoise) {
-    aovs.emplace(request.rect, request.settings.aovs, scene::LightGroupsOf(contents),
-                 request.settings.denoise);
+  if (hasAovs) {
+    aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
     request.aovs = &*aovs;
   }
   cpu::CpuRenderer renderer;

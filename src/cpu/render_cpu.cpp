@@ -135,7 +135,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   statistics.droppedPrimitives = bvh.droppedPrimitives();
   statistics.sceneBytes = flat.MemoryBytes();
   statistics.bvhBytes = bvh.MemoryBytes();
-  statistics.filmBytes = film.MemoryBytes();
+  statistics.filmBytes = film.MemoryBytes() + (request.aovs ? request.aovs->MemoryBytes() : 0);
   if (progress) progress->End();
 
   // Render pass by pass, tile by tile

@@ -45,6 +45,16 @@ AovFilm::AovFilm(PixelRect rect, scene::AovSet wanted, std::vector<std::string> 
   if (wanted.Has(Aov::CryptoMaterial)) materials_.resize(pixels);
 }
 
+std::uint64_t AovFilm::BytesPerPixel(scene::AovSet wanted,
+                                     const std::vector<std::string>& lightGroups, bool denoise) {
+  const std::uint64_t groups = wanted.Has(Aov::LightGroups) ? lightGroups.size() : 0;
+  const std::uint64_t sums = (FirstGroup + groups) * sizeof(dvec3) + sizeof(std::uint32_t);
+  const std::uint64_t layers = wanted.Empty() ? 0 : (48 + 3 * groups) * sizeof(float);
+  const std::uint64_t ids =
+      wanted.Has(Aov::CryptoObject) || wanted.Has(Aov::CryptoMaterial) ? 112 : 0;
+  return sums * (denoise ? 2 : 1) + sizeof(Nearest) + ids + layers + (denoise ? 260 : 0);
+}
+
 void AovFilm::SetNames(AovNames names) {
   names_ = std::move(names);
   objectIds_.clear();

@@ -31,6 +31,10 @@ class AovFilm {
   // the samples apart.
   AovFilm(PixelRect rect, scene::AovSet wanted, std::vector<std::string> lightGroups, bool denoise);
 
+  // About the memory that a pixel takes, here and in what is made of it.
+  static std::uint64_t BytesPerPixel(scene::AovSet wanted,
+                                     const std::vector<std::string>& lightGroups, bool denoise);
+
   // Before the first sample.
   void SetNames(AovNames names);
 
