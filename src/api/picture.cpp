@@ -75,6 +75,11 @@ std::string KnownPictureExtensions() { return image::KnownWriteExtensions(); }
 
 Picture ReadPicture(const std::filesystem::path& path) { return ToPicture(image::ReadImage(path)); }
 
+PictureInfo InspectPicture(const std::filesystem::path& path) {
+  const image::ExrSummary summary = image::SummarizeExr(path);
+  return {summary.width, summary.height, summary.channels};
+}
+
 PictureDifference ComparePictures(const Picture& reference, const Picture& test) {
   const image::Comparison c = image::Compare(ToImage(reference), ToImage(test));
   return {c.rmse, c.relMse, c.psnr, c.maxAbs, c.meanFlip};

@@ -54,6 +54,16 @@ SNELL_EXPORT std::vector<std::string> KnownViews();
 // Read PNG, JPEG, EXR or HDR, by content. Throws Error.
 SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);
 
+// What an EXR holds: its channels with their types, "half", "float" or "uint".
+struct PictureInfo {
+  int width = 0;
+  int height = 0;
+  std::vector<std::pair<std::string, std::string>> channels;
+};
+
+// Reads the header alone. Throws Error.
+SNELL_EXPORT PictureInfo InspectPicture(const std::filesystem::path& path);
+
 // How far a picture is from a reference of the same size: RMSE, relMSE and the largest difference in linear
 // radiance; PSNR and FLIP (Andersson et al. 2020) of the pictures as displayed.
 struct PictureDifference {

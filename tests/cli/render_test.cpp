@@ -82,6 +82,18 @@ TEST_F(Rendering, LayersLeaveThePictureAsItIs) {
             3 * std::filesystem::file_size(Path("plain.exr")));
 }
 
+TEST_F(Rendering, InfoListsTheLayers) {
+  Render({"-o", "a.exr", "--aov", "depth,albedo"});
+  const Result result = Run({"info", "a.exr"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(
+      result.out,
+      "a.exr\n  picture    48 × 32\n  layers     3\n             albedo: B (half), G (half), R "
+      "(half)\n             depth: Z (float)\n             the picture: B (half), G (half), R "
+      "(half)\n");
+  EXPECT_NE(Run({"info", "--json", "a.exr"}).out.find("\"depth.Z\": \"float\""), std::string::npos);
+}
+
 TEST_F(Rendering, SizeByBothSidesOrOne) {
   Render({"-o", "both.png", "--size", "20x10"});
   Render({"-o", "width.png", "--size", "96"});
