@@ -92,9 +92,10 @@ void PrintFaults(const Output& output, const Written& written) {
     PrintNote(fmt::format("the picture is in '{}' instead", written.path.string()));
 }
 
-// Write every picture; false if one is not where it was asked for.
-bool WriteAll(const std::vector<Output>& outputs, const RenderResult& result, ProgressBar& bar,
-              RenderSummary& summary) {
+// Write every picture, and its layers as pictures of their own where a format has no room for them; false if one is not
+// where it was asked for.
+bool WriteAll(const std::vector<Output>& outputs, const RenderResult& result, bool withLayers,
+              ProgressBar& bar, RenderSummary& summary) {
   bool allInPlace = true;
   const Timer timer;
   bar.Begin("writing", outputs.size());
@@ -105,6 +106,12 @@ bool WriteAll(const std::vector<Output>& outputs, const RenderResult& result, Pr
     if (!written.path.empty()) summary.files.push_back(written.path.string());
     allInPlace = allInPlace && written.faults.empty();
     bar.Update(i + 1, 0);
+    if (!withLayers) continue;
+    for (const LayerPicture& layer : LayerPictures(outputs[i], result.picture)) {
+      const Written shown = WriteOrRescue(layer.output, layer.picture);
+      bar.Interrupt([&] { PrintFaults(layer.output, shown); });
+      allInPlace = allInPlace && shown.faults.empty();
+    }
   }
   bar.End();
   summary.writeSeconds = timer.Seconds();
@@ -153,7 +160,8 @@ int RunRender(const RenderArguments& arguments) {
     if (output.denoised) output.options.metadata.emplace_back("Denoiser", result.report.denoiser);
   }
   bool allInPlace = true;
-  if (result.report.samplesPerPixel > 0) allInPlace = WriteAll(outputs, result, bar, summary);
+  if (result.report.samplesPerPixel > 0)
+    allInPlace = WriteAll(outputs, result, arguments.aovs.has_value(), bar, summary);
 
   // Sum up
   summary.totalSeconds = timer.Seconds();

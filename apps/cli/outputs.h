@@ -28,6 +28,14 @@ struct Written {
 
 Written WriteOrRescue(const Output& output, const Picture& picture);
 
+// Pictures of the layers that can be shown, for formats that have no room for layers: "a.albedo.png" beside "a.png".
+// Normals from −1 to 1 and the depths that there are become black to white. None for an EXR.
+struct LayerPicture {
+  Output output;
+  Picture picture;
+};
+std::vector<LayerPicture> LayerPictures(const Output& output, const Picture& picture);
+
 // A text file, atomically; "-" is the standard output. Pipes and devices are written to as they are.
 void CheckTextWritable(const std::string& name);
 void WriteText(const std::string& name, std::string_view text);

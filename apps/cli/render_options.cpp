@@ -56,9 +56,10 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
             "installed)");
   AddValue<std::vector<std::string>>(
       command, "--aov", "LIST", ReadAovs, a.aovs,
-      fmt::format("EXR: layers to write besides the picture (the scene's, or none), with commas "
-                  "between them: {}",
-                  fmt::join(KnownAovs(), ", ")));
+      fmt::format(
+          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
+          "between them: {}",
+          fmt::join(KnownAovs(), ", ")));
 }
 
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
@@ -184,7 +185,6 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   };
   require(arguments.bits.has_value(), "--bits", {"png"});
   require(arguments.exrFloat, "--float", {"exr"});
-  require(arguments.aovs.has_value(), "--aov", {"exr"});
   require(arguments.view.has_value(), "--view", {"png", "jpg", "jpeg"});
   require(arguments.quality.has_value(), "--quality", {"jpg", "jpeg"});
   require(arguments.exposure.has_value(), "--exposure", {"png", "jpg", "jpeg"});

@@ -82,6 +82,13 @@ TEST_F(Rendering, LayersLeaveThePictureAsItIs) {
             3 * std::filesystem::file_size(Path("plain.exr")));
 }
 
+TEST_F(Rendering, LayersThatCanBeShownStandBesideAPng) {
+  Render({"-o", "a.png", "--aov", "all"});
+  for (const char* name : {"albedo", "normal", "depth", "direct", "indirect", "light_other"})
+    EXPECT_EQ(Load(std::string("a.") + name + ".png").width, 48) << name;
+  EXPECT_FALSE(std::filesystem::exists(Path("a.uv.png")));
+}
+
 TEST_F(Rendering, InfoListsTheLayers) {
   Render({"-o", "a.exr", "--aov", "depth,albedo"});
   const Result result = Run({"info", "a.exr"});

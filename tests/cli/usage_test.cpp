@@ -62,8 +62,6 @@ const Mistake Mistakes[] = {
     {{"render", "a.nff", "--aov", "albedo,norml"},
      "--aov must be some of albedo, normal, depth, position, uv, crypto_object, crypto_material, "
      "direct, indirect, light_groups, sample_count, variance, all, not 'albedo,norml'"},
-    {{"render", "a.nff", "-o", "a.png", "--aov", "albedo"},
-     "--aov is for .exr files, and none is written"},
     {{"render", "a.nff", "-o", "a.exr", "--view", "agx"},
      "--view is for .png files, and none is written"},
     {{"render", "a.nff", "-o", "a.exr", "-o", "a.denoised.exr", "--denoise"},
