@@ -171,7 +171,7 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
-  std::string lightGroup;  // as Light::group
+  std::string lightGroup = {};  // as Light::group
 };
 
 enum class Integrator { Whitted, Path };
