@@ -21,7 +21,7 @@ constexpr int FeatureCount = 7;             // albedo, normal, nearness
 constexpr int Unknowns = FeatureCount + 1;  // and the colour itself
 constexpr NlMeans ColorFilter = {9, 3, 1.0f};
 constexpr NlMeans FeatureFilter = {5, 1, 1.0f};
-constexpr int ScaleRadius = 7;
+constexpr int ScaleRadius = 5;
 
 // Sums over squares of 2 · radius + 1 pixels, by running sums in double precision.
 std::vector<float> BoxMean(const std::vector<float>& values, int width, int height, int radius) {
@@ -53,9 +53,13 @@ std::vector<float> HalfVariance(const std::vector<float>& a, const std::vector<f
                                 const std::vector<float>& scattered, int width, int height) {
   std::vector<float> differences(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) differences[i] = (a[i] - b[i]) * (a[i] - b[i]) * 0.5f;
-  const std::vector<float> smooth = BoxMean(differences, width, height, ScaleRadius);
+  // Twice, for the shape of a box would show
+  const auto smoothed = [&](const std::vector<float>& values) {
+    return BoxMean(BoxMean(values, width, height, ScaleRadius), width, height, ScaleRadius);
+  };
+  const std::vector<float> smooth = smoothed(differences);
   if (scattered.empty()) return BoxMean(differences, width, height, 1);
-  const std::vector<float> smoothScatter = BoxMean(scattered, width, height, ScaleRadius);
+  const std::vector<float> smoothScatter = smoothed(scattered);
   std::vector<float> variance(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     const float scale = smooth[i] / std::max(smoothScatter[i], 1e-20f);

@@ -115,7 +115,7 @@ TEST(Aovs, DenoisersSeeThroughMirrors) {
 TEST(Aovs, DenoisersSeeThroughGlass) {
   const std::string scene =
       "[environment]\ncolor = 0\n[[light]]\ntype = 'point'\nposition = [3, 0, 3]\n"
-      "[[object]]\nshape = 'box'\nlower = [-5, -5, -1]\nupper = [5, 5, 1]\nmaterial = { type = "
+      "[[object]]\nshape = 'box'\nmin = [-5, -5, -1]\nmax = [5, 5, 1]\nmaterial = { type = "
       "'dielectric', ior = 1.5 }\n"
       "[[object]]\nshape = 'plane'\npoint = [0, 0, -4]\nnormal = [0, 0, 1]\n"
       "material = { type = 'diffuse', color = [0.6, 0.3, 0.2] }\n";
@@ -179,7 +179,7 @@ TEST(Aovs, AGroupIsWhatItsLightsShow) {
   const std::string start =
       "[render]\nsize = [12, 9]\nspp = 64\nmax_depth = 4\n[camera]\nposition = [0, 2, 4]\nlook_at "
       "= [0, 0, 0]\n[[object]]\nshape = 'plane'\nmaterial = { type = 'phong', diffuse = 0.6, "
-      "reflectivity = 0.3 }\n[[object]]\nshape = 'box'\nlower = [-1, 0, -1]\nupper = [0, 1, 0]\n";
+      "reflectivity = 0.3 }\n[[object]]\nshape = 'box'\nmin = [-1, 0, -1]\nmax = [0, 1, 0]\n";
   const std::string key =
       "[[light]]\ntype = 'sphere'\ncenter = [2, 3, 1]\nradius = 0.3\nradiance = "
       "30\nlight_group = 'key'\n";
