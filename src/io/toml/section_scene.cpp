@@ -69,12 +69,13 @@ const SectionOf<RenderDraft>& RenderSection() {
   const auto size =
       Field("size", &RenderDraft::size, ImageSize(), "Width and height of the picture.")
           .Not({"resolution", "width", "height", "image_size"});
-  const auto aovs = Field("aovs", &RenderDraft::aovs,
-                          ListOf(Choice<scene::Aov>(scene::AovNames()), "names of layers"),
-                          "Layers that an EXR holds besides the picture.")
-                        .Standard("none")
-                        .Example("[\"albedo\", \"normal\", \"depth\"]")
-                        .Not({"aov", "passes", "layers"});
+  const auto aovs =
+      Field("aovs", &RenderDraft::aovs,
+            ListOf(Choice<scene::Aov>(scene::AovNames()), "names of layers"),
+            "Layers that an EXR holds besides the picture: those of `docs/aovs.md`, or \"all\".")
+          .Standard("none")
+          .Example("[\"albedo\", \"normal\", \"depth\"]")
+          .Not({"aov", "passes", "layers"});
   static const SectionOf<RenderDraft> section =
       SectionOf<RenderDraft>("render", "[render]",
                              "How the picture is made. The command line overrides it.",
