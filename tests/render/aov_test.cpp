@@ -78,6 +78,7 @@ TEST(Aovs, UvAreTheSurfaces) {
   const View view = FromAbove(8, 8, 1);
   const Picture picture = PictureOf(
       view.Exact(1) +
+          "[[light]]\ntype = 'point'\nposition = [0, 5, 0]\n"
           "[[object]]\nmesh = { positions = [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "
           "polygons = [[0, 1, 2, 3]], uvs = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n",
       WithAovs("path", {"uv"}));
@@ -177,7 +178,7 @@ TEST(Aovs, LightAddsUp) {
 // A group's light is what the picture would be without the other sources.
 TEST(Aovs, AGroupIsWhatItsLightsShow) {
   const std::string start =
-      "[render]\nsize = [12, 9]\nspp = 64\nmax_depth = 4\n[camera]\nposition = [0, 2, 4]\nlook_at "
+      "[render]\nsize = [12, 9]\nspp = 256\nmax_depth = 4\n[camera]\nposition = [0, 2, 4]\nlook_at "
       "= [0, 0, 0]\n[[object]]\nshape = 'plane'\nmaterial = { type = 'phong', diffuse = 0.6, "
       "reflectivity = 0.3 }\n[[object]]\nshape = 'box'\nmin = [-1, 0, -1]\nmax = [0, 1, 0]\n";
   const std::string key =
