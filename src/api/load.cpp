@@ -54,6 +54,9 @@ Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options) {
 }
 
 std::string KnownSceneExtensions() { return io::KnownFormats(); }
+bool HasSceneExtension(const std::filesystem::path& path) {
+  return io::FormatOf(path) != io::Format::Unknown;
+}
 std::string SceneReference() { return io::SceneReferenceMarkdown(); }
 std::string SceneSchema() { return io::SceneJsonSchema(); }
 

@@ -61,6 +61,8 @@ SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOption
 
 // "toml, gltf, glb, nff, pbrt, obj, ply, stl …", for messages.
 SNELL_EXPORT std::string KnownSceneExtensions();
+// Whether the file's extension is one of these.
+SNELL_EXPORT bool HasSceneExtension(const std::filesystem::path& path);
 
 // What is in a scene.
 struct SceneInfo {

@@ -66,6 +66,20 @@ TEST_F(Commands, CheckSaysOkOrAllErrors) {
   ExpectHas(mixed.err, "snell: error: x.abc: the file's kind is not known by its extension; ");
 }
 
+TEST_F(Commands, CheckOfAFolderIsATable) {
+  std::filesystem::create_directories(Path("all/more"));
+  Write("all/b.toml", "[[object]]\nshape = \"sphere\"\n");
+  Write("all/more/a.nff", "v\nfrom 1 1\n");
+  Write("all/notes.txt", "no scene");
+  const Result result = Run({"check", "all"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out,
+            "all/b.toml: ok\nall/more/a.nff: 1 error\n2 files read: 1 ok, 1 with errors\n");
+  ExpectHas(result.err, "snell: error: all/more/a.nff:3:1: ");
+  std::filesystem::create_directories(Path("none"));
+  ExpectHas(Run({"check", "none"}).err, "none: the folder holds no scene");
+}
+
 TEST_F(Commands, CompareEqualPictures) {
   WriteGrey("a.exr", 0.5f);
   const Result result = Run({"compare", "a.exr", "a.exr", "--tolerance", "0"});
