@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Sampling the light that reaches a point from one light source, one switch over their kinds. Spheres are
-// sampled by the solid angle that they fill (pbrt-v4, section 6.2.4), flat areas by their surface.
+// sampled by the solid angle that they fill (pbrt-v4, section 6.2.4), rectangles, too, where it is not tiny, other flat areas
+// by their surface.
 #ifndef SNELL_KERNEL_LIGHT_H
 #define SNELL_KERNEL_LIGHT_H
 
 #include "kernel/falloff.h"
 #include "kernel/ray.h"
 #include "kernel/sampling.h"
+#include "kernel/spherical_rectangle.h"
 
 KERNEL_BEGIN
 
@@ -38,6 +40,26 @@ FN LightLiSample SampleFlatLight(IN(Light) light, vec3 p, vec3 onLight) {
     geometry = cosLight * light.area * DistanceFalloff(light.falloff, distance, light.factor);
   }
   s.irradiance = light.emission * (geometry * RangeWindow(distance, light.range));
+  return s;
+}
+
+// A rectangle near by is sampled by its solid angle, else by its area.
+FN bool HasSphericalRectangle(IN(Light) light) {
+  return light.kind == LIGHT_RECTANGLE && light.falloff == FALLOFF_INVERSE_SQUARE;
+}
+FN LightLiSample SampleRectangleLight(IN(Light) light, vec3 p, vec2 u) {
+  vec3 byArea = light.position + light.edgeU * u.x + light.edgeV * u.y;
+  if (!HasSphericalRectangle(light)) return SampleFlatLight(light, p, byArea);
+  SphericalRectangle seen = SphericalRectangleAt(p, light.position, light.edgeU, light.edgeV);
+  if (seen.solidAngle == 0.0f) return SampleFlatLight(light, p, byArea);
+  LightLiSample s;
+  vec3 toLight = SampleSphericalRectangle(seen, u);
+  float distance = Length(toLight);
+  s.wi = toLight / distance;
+  s.distance = DistanceToLight(p, p + toLight, light.direction, s.wi, distance);
+  bool isLit = Dot(light.direction, s.wi) < 0.0f;
+  s.irradiance =
+      light.emission * (isLit ? seen.solidAngle * RangeWindow(distance, light.range) : 0.0f);
   return s;
 }
 
@@ -147,7 +169,7 @@ FN LightLiSample SampleLi(IN(Light) light, vec3 p, vec2 u) {
       return s;
     }
   }
-  return SampleFlatLight(light, p, light.position + light.edgeU * u.x + light.edgeV * u.y);
+  return SampleRectangleLight(light, p, u);
 }
 
 // The density of SampleLi, per solid angle at p, of the direction wi in which an area light is met at a distance.
@@ -158,7 +180,12 @@ FN float PdfLi(IN(Light) light, vec3 p, vec3 wi, float distance) {
     return Inv2Pi * (1.0f + SafeSqrt(1.0f - sin2)) / sin2;
   }
   float cosLight = -Dot(light.direction, wi);
-  return cosLight > 0.0f ? Sqr(distance) / (cosLight * light.area) : 0.0f;
+  if (cosLight <= 0.0f) return 0.0f;
+  if (HasSphericalRectangle(light)) {
+    float solidAngle = SphericalRectangleAt(p, light.position, light.edgeU, light.edgeV).solidAngle;
+    if (solidAngle > 0.0f) return 1.0f / solidAngle;
+  }
+  return Sqr(distance) / (cosLight * light.area);
 }
 
 // About how much light p can receive from a source, shadows and angles aside: what choosing one of many goes by.
