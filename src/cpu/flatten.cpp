@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu/flatten.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -97,6 +98,9 @@ static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
   return true;
 }
 
+// The power of two from the samples per pixel on.
+static uint SamplesLog2(int spp) { return std::min(uint(std::bit_width(uint(spp - 1))), 20u); }
+
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
                   const scene::Camera& camera) {
   FlatScene flat;
@@ -107,6 +111,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
+  flat.params.samplesLog2 = SamplesLog2(settings.spp);
   FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);

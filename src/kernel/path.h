@@ -9,8 +9,8 @@
 
 // Start sample `sampleIndex` of a pixel.
 SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
-  s.seed = HashCombine(HashCombine(params.seed, pixel.x), pixel.y);
-  s.sampleIndex = sampleIndex;
+  s.seed = params.seed;
+  s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
   s.dimension = 0u;
   s.rays.camera = 1u;
   s.rays.reflected = 0u;

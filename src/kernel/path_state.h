@@ -27,8 +27,8 @@ struct PathState {
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been
   vec3 lastPoint;
   float lightSum;    // of the lights' importances there
-  uint seed;         // of this pixel
-  uint sampleIndex;  // of this pixel
+  uint seed;
+  uint sampleIndex;  // in the sequence of that seed (sobol.h)
   uint dimension;    // pairs of sample dimensions used
   RayCounts rays;
 };

@@ -167,7 +167,7 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
          MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
-         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
+         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed), MEMBER(RenderParams, samplesLog2),
          MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
          MEMBER(RenderParams, filterQuantiles)}}},
       {"PrimitiveCounts",
