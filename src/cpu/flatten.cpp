@@ -111,6 +111,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
+  flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
   flat.params.samplesLog2 = SamplesLog2(settings.spp);
   FlattenCone(settings, flat.params);
 

@@ -10,6 +10,7 @@
 // Start sample `sampleIndex` of a pixel.
 SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.seed = params.seed;
+  if (params.independentSamples == 1u) s.seed = HashCombine(HashCombine(s.seed, sampleIndex), 1u);
   s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
   s.dimension = 0u;
   s.rays.camera = 1u;

@@ -7,9 +7,10 @@
 #define SNELL_KERNEL_PATH_LIGHT_H
 
 SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
-  vec2 u = Sobol2D(s.sampleIndex, HashCombine(s.seed, s.dimension));
+  uint seed = HashCombine(s.seed, s.dimension);
   s.dimension += 1u;
-  return u;
+  if (params.independentSamples == 1u) return IndependentSample2D(s.sampleIndex, seed);
+  return Sobol2D(s.sampleIndex, seed);
 }
 
 // The lights' importances at p, added up, and one of them chosen in proportion by u; None: all are dark.

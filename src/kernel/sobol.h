@@ -66,6 +66,12 @@ FN vec2 Sobol2D(uint index, uint seed) {
   return vec2(UnitFloat(x), UnitFloat(y));
 }
 
+// Point `index` of a row of independent random points, for comparison.
+FN vec2 IndependentSample2D(uint index, uint seed) {
+  uint x = HashCombine(seed, index);
+  return vec2(UnitFloat(x), UnitFloat(HashUint(x ^ 0x63d83595u)));
+}
+
 // The bits of x with a 0 before each; the 16 low ones count.
 FN uint SpreadBits(uint x) {
   x &= 0xffffu;

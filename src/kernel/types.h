@@ -330,6 +330,7 @@ struct RenderParams {
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut
   uint seed;
+  uint independentSamples;  // 1: the path tracer takes random numbers in place of a sequence
   uint
       samplesLog2;  // a power of two of samples per pixel, of which the path tracer makes one set; 0 to 20
   float coneWidth;   // of camera rays: their diameter at the start, in metres,

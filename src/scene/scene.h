@@ -171,6 +171,7 @@ struct Environment {
 };
 
 enum class Integrator { Whitted, Path };
+enum class Sampler { Sobol, Independent };  // of the path tracer
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.
@@ -181,6 +182,7 @@ struct RenderSettings {
   Integrator integrator = Integrator::Whitted;
   int maxDepth = 16;               // 1: rays from the camera only
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
+  Sampler sampler = Sampler::Sobol;
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear

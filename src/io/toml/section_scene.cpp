@@ -48,7 +48,13 @@ static Keys<RenderSettings> PictureKeys() {
                                             {"tent", PixelFilter::Tent},
                                             {"gaussian", PixelFilter::Gaussian},
                                             {"blackman-harris", PixelFilter::BlackmanHarris}});
+  const auto samplers = Choice<scene::Sampler>(
+      {{"sobol", scene::Sampler::Sobol}, {"independent", scene::Sampler::Independent}});
   return {
+      Field("sampler", &RenderSettings::sampler, samplers,
+            "The path tracer's samples: of a sequence that covers pixels and lights evenly, or "
+            "random numbers, "
+            "which take more samples to the same picture."),
       Field("filter", &RenderSettings::filter, filters, "How samples are weighted around a pixel."),
       Field("filter_radius", &RenderSettings::filterRadius, Number({0, 16}, "pixels"),
             "Radius of the filter; 0: the usual one of its kind."),
