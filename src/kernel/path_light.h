@@ -37,10 +37,21 @@ SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImpo
   return chosen;
 }
 
-// The share of samples that go to glowing triangles, the others to lights.
+// The share of samples that go to glowing triangles; what is left of the environment's and theirs goes to lights.
 SCENE_FN float EmitterShare() {
   if (params.emitterCount == 0u) return 0.0f;
-  return params.lightCount == 0u ? 1.0f : 0.5f;
+  return (1.0f - EnvironmentShare()) * (params.lightCount == 0u ? 1.0f : 0.5f);
+}
+SCENE_FN float LightShare() { return 1.0f - EnvironmentShare() - EmitterShare(); }
+
+// The weight of a light that the path's own way has met, in the direction wi from its last vertex, against the chance
+// that it was sampled there.
+SCENE_FN float FoundWeight(IN(PathState) s, uint index, vec3 wi, float distance) {
+  if (s.bsdfPdf <= 0.0f) return 1.0f;
+  LET(Light) light = lights[index];
+  if (light.found == 0u) return 0.0f;
+  float pick = LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * LightShare();
+  return s.bsdfPdf / (s.bsdfPdf + pick * PdfLi(light, s.lastPoint, wi, distance));
 }
 
 // The density, per solid angle at a distance, of sampling a point of a glowing triangle in the direction wi: points are
@@ -117,8 +128,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
   vec2 u = PathSample2D(s);
   float importance;
   uint index = ChooseLight(it.p, choice.x, lightSum, importance);
-  float emitterShare = EmitterShare();
-  if (choice.y < emitterShare)
+  if (choice.y < EnvironmentShare())
+    return SampledEnvironment(s, bsdf, it, n, x, y, z, wo, u, before, behind);
+  if (choice.y < EnvironmentShare() + EmitterShare())
     return SampledEmitter(s, bsdf, it, n, x, y, z, wo, choice.x, u, before, behind);
   if (index == None) return none;
   LET(Light) light = lights[index];
@@ -134,7 +146,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
   vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
   Spectrum arriving = f * li.irradiance *
                       LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
-  float pick = importance / lightSum * (1.0f - emitterShare);
+  float pick = importance / lightSum * LightShare();
   float weight = 1.0f;
   if (light.found == 1u) {
     float lightPdf = pick * PdfLi(light, it.p, li.wi, li.distance);
