@@ -85,7 +85,7 @@ void AddLoadOptions(CLI::App& command, LoadArguments& arguments) {
   AddValue(command, "--time", "SECONDS", Number(-MaxSeconds, MaxSeconds), arguments.time,
            "glTF files with animations: the moment to show; without it everything is at rest");
   command.option_defaults()->group("Light");
-  AddValue(
+  AddValue<std::string>(
       command, "--environment", "FILE", ReadText, arguments.environment,
       "A picture of all directions that lights the scene in place of its environment and of the "
       "studio that models are set into");
