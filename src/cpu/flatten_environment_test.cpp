@@ -79,7 +79,7 @@ std::vector<Case> Cases() {
   return cases;
 }
 
-// Cells of equal solid angle.
+// Cells of equal angles, for the density grows towards the poles as they shrink.
 constexpr int Rows = 32;
 constexpr int Columns = 64;
 
@@ -89,13 +89,13 @@ std::vector<double> Expected(MapKernel kernel, double count, double& integral) {
   integral = 0;
   for (int row = 0; row < Rows * Fine; ++row) {
     for (int column = 0; column < Columns * Fine; ++column) {
-      const float y = 2 * (float(row) + 0.5f) / float(Rows * Fine) - 1;
+      const float theta = Pi * (float(row) + 0.5f) / float(Rows * Fine);
       const float phi = 2 * Pi * (float(column) + 0.5f) / float(Columns * Fine) - Pi;
-      const float sine = std::sqrt(1 - y * y);
+      const float sine = std::sin(theta);
       float pdf;
-      kernel.MapLe(vec3(sine * std::cos(phi), y, sine * std::sin(phi)), pdf);
-      const double share =
-          double(pdf) * 4 * double(Pi) / (double(Rows * Fine) * double(Columns * Fine));
+      kernel.MapLe(vec3(sine * std::cos(phi), std::cos(theta), sine * std::sin(phi)), pdf);
+      const double share = double(pdf) * double(sine) * 2 * double(Pi) * double(Pi) /
+                           (double(Rows * Fine) * double(Columns * Fine));
       cells[std::size_t(row / Fine * Columns + column / Fine)] += share * count;
       integral += share;
     }
@@ -116,7 +116,8 @@ TEST(SampleMap, DirectionsFallAsTheDensitySays) {
       const float u = random.UniformFloat(), v = random.UniformFloat();
       const vec3 d = kernel.SampleMap(vec2(u, v));
       ASSERT_NEAR(Length(d), 1, 1e-5) << c.name;
-      const int row = std::clamp(int((d.y + 1) / 2 * Rows), 0, Rows - 1);
+      const float theta = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
+      const int row = std::clamp(int(theta / Pi * Rows), 0, Rows - 1);
       const int column =
           std::clamp(int((std::atan2(d.z, d.x) / (2 * Pi) + 0.5f) * Columns), 0, Columns - 1);
       observed[std::size_t(row * Columns + column)] += 1;

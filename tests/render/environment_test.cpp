@@ -183,7 +183,7 @@ TEST(DirectionalLight, HasADisc) {
 
 // Whether samples or chance find the sun, rough metal shows the same.
 TEST(DirectionalLight, IsWeightedAgainstChance) {
-  for (const double roughness : {0.1, 0.3, 0.7}) {
+  for (const double roughness : {0.25, 0.4, 0.7}) {
     const std::string scene =
         Settings(8, 900, 2) +
         fmt::format(
