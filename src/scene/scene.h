@@ -169,6 +169,7 @@ struct Environment {
   Spectrum top{0.0f};
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
+  float ior = 1;
   ImageIndex map =
       -1;  // stands for the colours: a picture of all directions (kernel/environment.h)
   Spectrum mapScale{1.0f};  // W/(sr·m²) of its 1
