@@ -44,8 +44,10 @@ struct Kernel {
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/path.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"

@@ -13,12 +13,14 @@
 
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/path.h"
 
