@@ -18,6 +18,7 @@ Shading: ambient diffuse specular phong
 Light: light_directional light_point light_spot falloff light_colors sky_noon sky_evening
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
+Cameras: depth_of_field fisheye
 Glass: refraction total_reflection absorption glass_of_water
 All together: finale'
 

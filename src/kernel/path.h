@@ -13,7 +13,6 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   if (params.independentSamples == 1u) s.seed = HashCombine(HashCombine(s.seed, sampleIndex), 1u);
   s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
   s.dimension = 0u;
-  s.rays.camera = 1u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
   s.rays.shadow = 0u;
@@ -21,8 +20,11 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   // Place the sample in the image plane by the pixel filter
   vec2 offset = SamplePixelFilter(PathSample2D(s));
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
-  s.ray = GenerateRay(params.camera, place);
-  s.beta = Spectrum(1.0f, 1.0f, 1.0f);
+  vec2 lens = vec2(0.0f, 0.0f);
+  if (HasLens(params.camera)) lens = PathSample2D(s);
+  CameraRay start = GenerateRay(params.camera, place, lens);
+  s.ray = start.ray;
+  s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
   s.etaScale = 1.0f;
   s.depth = 1u;
@@ -32,7 +34,8 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.bsdfPdf = 0.0f;
   s.lastPoint = s.ray.o;
   s.lightSum = 0.0f;
-  s.alive = 1u;
+  s.alive = start.weight > 0.0f ? 1u : 0u;
+  s.rays.camera = s.alive;
 }
 
 // What a ray sees that leaves the scene.

@@ -311,6 +311,11 @@ struct Environment {
 
 CONST uint CAMERA_PINHOLE = 0u;
 CONST uint CAMERA_ORTHOGRAPHIC = 1u;
+CONST uint CAMERA_PANORAMA = 2u;  // azimuth and elevation (equirectangular)
+CONST uint CAMERA_EQUIDISTANT =
+    3u;  // fisheyes: what is at the angle θ from the axis lies θ from the middle,
+CONST uint CAMERA_EQUISOLID = 4u;      // 2 sin(θ/2),
+CONST uint CAMERA_STEREOGRAPHIC = 5u;  // or 2 tan(θ/2)
 
 struct Camera {
   uint kind;
@@ -320,8 +325,16 @@ struct Camera {
   vec3 right;  // unit vectors
   vec3 up;
   vec3 forward;
-  vec2
-      extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
+  // Half the width and height of what is seen, and its middle: of the plane at distance 1 (pinhole), in metres
+  // (orthographic), in radians (panorama) or in distances from the axis (fisheyes)
+  vec2 extent;
+  vec2 center;
+  float rim;  // fisheyes: the distance from the axis beyond which no light arrives
+  // The thin lens of pinhole and orthographic cameras
+  vec2 aperture;     // half its width and height, metres; 0: everything is sharp
+  float focus;       // distance along `forward` of the plane that is sharp, metres
+  uint blades;       // corners of the aperture, on the ellipse; 0: it is round
+  float bladeAngle;  // of its first corner from `right`, radians
 };
 
 // Entries of the pixel filter's quantile function: 32 to the octave from 2⁻²⁴ to ½, and one more.

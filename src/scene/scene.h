@@ -151,7 +151,25 @@ struct Object {
 
 // --- Camera, surroundings, settings ---------------------------------------------------------------------
 
-enum class CameraKind { Pinhole, Orthographic };
+enum class CameraKind { Pinhole, Orthographic, Panorama, Fisheye };
+enum class FovAxis { Vertical, Horizontal };
+
+// How far from the middle a fisheye shows what is at the angle θ from its axis.
+enum class FisheyeProjection {
+  Equidistant,    // θ
+  Equisolid,      // 2 sin(θ/2)
+  Stereographic,  // 2 tan(θ/2)
+};
+
+// A thin lens behind an aperture; of pinhole and orthographic cameras.
+struct Lens {
+  float radius = 0;         // of the aperture, metres; 0: everything is sharp
+  float focusDistance = 0;  // along the line of sight, metres
+  int blades = 0;           // corners of the aperture, at its radius; 0: it is round
+  float bladeRotation =
+      0;            // counter-clockwise seen from behind the camera, radians; 0: a corner is on top
+  float ratio = 1;  // the aperture's width to its height
+};
 
 struct Camera {
   std::string name;
@@ -159,8 +177,18 @@ struct Camera {
   vec3 position{0, 0, 5};
   vec3 lookAt{0.0f};
   vec3 up{0, 1, 0};
-  float fov = 0.698f;  // pinhole: vertical angle of view, radians
-  float height = 2;    // orthographic: height of the view, metres
+  float fov = 0.698f;  // pinhole: angle of view; fisheye: across its circle; radians
+  FovAxis fovAxis = FovAxis::Vertical;  // pinhole
+  float height = 2;                     // orthographic: height of the view, metres
+  vec2 shift{0.0f};  // pinhole, orthographic: of the picture's middle, in its widths and heights
+  // Panorama: what its left and right edges show, radians to the right of the line of sight, and its lower and
+  // upper edges, radians above it
+  vec2 longitude{-3.14159265f, 3.14159265f};
+  vec2 latitude{-1.57079633f, 1.57079633f};
+  FisheyeProjection projection = FisheyeProjection::Equidistant;
+  bool fullFrame =
+      false;  // fisheye: its circle goes through the corners; else it touches the longer sides
+  Lens lens;
 };
 
 // What is seen behind everything, and the index of refraction of the space around the objects.

@@ -92,12 +92,38 @@ class Checker {
                   1e-9 * glm::length(glm::dvec3(forward)) * glm::length(glm::dvec3(camera.up)),
               bad("looks along its up vector"));
     }
-    if (camera.kind == CameraKind::Pinhole) {
-      Require(Positive(camera.fov) && camera.fov < 3.1415f,
-              bad("needs a field of view between 0 and 180 degrees"));
-    } else {
-      Require(Positive(camera.height), bad("needs a positive height"));
+    switch (camera.kind) {
+      case CameraKind::Pinhole:
+        Require(Positive(camera.fov) && camera.fov < 3.1415f,
+                bad("needs a field of view between 0 and 180 degrees"));
+        break;
+      case CameraKind::Orthographic:
+        Require(Positive(camera.height), bad("needs a positive height"));
+        break;
+      case CameraKind::Panorama: {
+        const float width = std::abs(camera.longitude.y - camera.longitude.x);
+        Require(width > 0 && width < 6.2832f && std::abs(camera.longitude.x) < 12.6f,
+                bad("needs two longitudes, at most 360 degrees apart"));
+        Require(camera.latitude.x >= -1.5708f && camera.latitude.x < camera.latitude.y &&
+                    camera.latitude.y <= 1.5708f,
+                bad("needs latitudes that rise, from -90 to 90 degrees"));
+        break;
+      }
+      case CameraKind::Fisheye: {
+        const bool open = camera.projection == FisheyeProjection::Stereographic;
+        Require(Positive(camera.fov) && camera.fov < (open ? 6.2831f : 6.2832f),
+                bad("needs an angle of view above 0 and up to 360 degrees"));
+        break;
+      }
     }
+    Require(std::isfinite(camera.shift.x) && std::isfinite(camera.shift.y),
+            bad("needs a finite shift"));
+    const Lens& lens = camera.lens;
+    Require(Finite(lens.radius) && lens.radius >= 0 && lens.blades >= 0 && lens.blades != 1 &&
+                lens.blades != 2 && Finite(lens.bladeRotation) && Positive(lens.ratio),
+            bad("needs an aperture that is round or has three blades or more"));
+    Require(lens.radius == 0 || Positive(lens.focusDistance),
+            bad("needs a positive distance of focus"));
   }
 
   void CheckLight(const Light& light) {

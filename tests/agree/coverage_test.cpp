@@ -160,18 +160,24 @@ TEST(Coverage, LightsAndFalloffs) {
 }
 
 TEST(Coverage, CamerasAndSurroundings) {
-  std::set<uint> cameras, inside, tinted;
+  std::set<uint> cameras, inside, tinted, lenses, blades;
   bool ambient = false, gradient = false, under = false;
   for (const FlatScene& flat : FlatScenes()) {
     const RenderParams& params = flat.params;
     cameras.insert(params.camera.kind);
     if (params.camera.inside == 1) inside.insert(params.camera.kind);
+    if (HasLens(params.camera)) {
+      lenses.insert(params.camera.kind);
+      blades.insert(params.camera.blades == 0 ? 0 : 1);
+    }
     tinted.insert(params.tintedShadows);
     ambient = ambient || params.ambient.x > 0;
     gradient = gradient || params.environment.bottom != params.environment.top;
     under = under || params.environment.ior > 1;
   }
-  EXPECT_EQ(cameras, TagsTo(CAMERA_ORTHOGRAPHIC));
+  EXPECT_EQ(cameras, TagsTo(CAMERA_STEREOGRAPHIC));
+  EXPECT_EQ(lenses, TagsTo(CAMERA_ORTHOGRAPHIC));
+  EXPECT_EQ(blades, TagsTo(1)) << "round apertures and others";
   EXPECT_EQ(inside, TagsTo(CAMERA_ORTHOGRAPHIC)) << "cameras within glass";
   EXPECT_EQ(tinted, TagsTo(1));
   EXPECT_TRUE(ambient);

@@ -11,13 +11,9 @@
 
 namespace snell::io {
 
-using glm::dvec3;
-using scene::Camera;
 using scene::Integrator;
 using scene::PixelFilter;
 using scene::RenderSettings;
-
-static constexpr float Degree = 0.0174532925199f;
 
 // --- [render] -----------------------------------------------------------------------------------------------
 
@@ -77,81 +73,6 @@ const SectionOf<RenderDraft>& RenderSection() {
                                                 Within(&RenderDraft::settings, SamplingKeys()),
                                                 Within(&RenderDraft::settings, PictureKeys())}))
           .Checked(FinishRender);
-  return section;
-}
-
-// --- [camera] -----------------------------------------------------------------------------------------------
-
-// A point so far along the direction that the sum keeps the direction's digits.
-static vec3 PointAhead(const vec3& position, const vec3& direction) {
-  float distance = 1;
-  for (int axis = 0; axis < 3; ++axis) distance = std::max(distance, std::abs(position[axis]));
-  return position + direction * distance;
-}
-
-static void CheckCamera(Reader& reader, const Fields& fields, CameraDraft& draft) {
-  Camera& camera = draft.camera;
-  if (draft.direction) camera.lookAt = PointAhead(camera.position, *draft.direction);
-  const dvec3 forward = dvec3(camera.lookAt) - dvec3(camera.position);
-  if (!(glm::length(forward) > 0)) {
-    reader.Report(fmt::format("the camera looks at its own position in {}", fields.title),
-                  fields.PlaceOf(fields.Find("look_at") ? "look_at" : "position"));
-    return;
-  }
-  const dvec3 side = glm::cross(glm::normalize(forward), glm::normalize(dvec3(camera.up)));
-  if (!(glm::length(side) > 1e-6))
-    reader.Report(fmt::format("'up' is parallel to the line of sight in {}", fields.title),
-                  fields.PlaceOf("up"),
-                  fields.Find("up") ? "" : "give another 'up', such as [0, 0, -1]");
-}
-
-// Camera's keys as the draft's.
-static Keys<CameraDraft> In(const Keys<Camera>& keys) { return Within(&CameraDraft::camera, keys); }
-
-static Keys<CameraDraft> ViewKeys() {
-  const auto name =
-      Field("name", &Camera::name, Text("front"), "For the command line.").Standard("none");
-  const auto position = Field("position", &Camera::position, Point(), "Where the camera stands.")
-                            .Not({"eye", "from", "origin", "pos", "location"});
-  const auto lookAt =
-      Field("look_at", &Camera::lookAt, Point(), "A point in the middle of the picture.")
-          .Not({"target", "to", "at", "lookat", "center"});
-  const auto direction = Field("direction", &CameraDraft::direction, Direction(),
-                               "The line of sight, in place of `look_at`.")
-                             .Standard("by `look_at`")
-                             .Not({"forward", "dir"});
-  const auto up = Field("up", &Camera::up, NotZero(""), "What points up in the picture.");
-  return Join<CameraDraft>({In({name, position, lookAt}), {direction}, In({up})});
-}
-
-static VariantOf<CameraDraft> Pinhole() {
-  const auto fov = Field("fov", &Camera::fov, Degrees({0, 180, true}), "Vertical angle of view.")
-                       .Not({"angle", "field_of_view", "zoom"});
-  return VariantOf<CameraDraft>("pinhole", "With perspective.", In({fov}))
-      .Begin([](CameraDraft& draft) {
-        draft.camera.kind = scene::CameraKind::Pinhole;
-        draft.camera.fov = 40 * Degree;
-      });
-}
-
-static VariantOf<CameraDraft> Orthographic() {
-  const auto height = Field("height", &Camera::height, Number(Positive, "m"), "Height of the view.")
-                          .Not({"size", "scale"});
-  return VariantOf<CameraDraft>("orthographic", "Without perspective: parallel rays.", In({height}))
-      .Begin([](CameraDraft& draft) { draft.camera.kind = scene::CameraKind::Orthographic; });
-}
-
-const SectionOf<CameraDraft>& CameraSection() {
-  static const SectionOf<CameraDraft> section =
-      SectionOf<CameraDraft>(
-          "camera", "[camera]",
-          "Where the picture is taken from. `[[camera]]` may stand several times; the first is "
-          "used unless the command line names another. Without a camera, one is chosen that shows "
-          "everything.",
-          ViewKeys())
-          .Variants("type", {Pinhole(), Orthographic()}, "pinhole")
-          .OnlyOne({{"look_at"}, {"direction"}})
-          .Checked(CheckCamera);
   return section;
 }
 

@@ -203,16 +203,24 @@ void ReplaceMaterials(Reader& reader, IncludedFile& file);
 // The mesh of a draft that has passed its checks.
 scene::Mesh BuildMesh(const MeshDraft& draft);
 
+// --- Cameras (toml_section_camera.cpp) ----------------------------------------------------------------------
+
+struct CameraDraft {
+  scene::Camera camera;
+  std::optional<vec3> direction;
+  std::optional<float> horizontalFov;  // radians
+  std::optional<float> focalLength;    // mm
+  float sensorHeight = 24;             // mm
+  std::optional<float> fStop;
+  std::optional<float> focusDistance;
+  std::optional<vec3> focusAt;
+};
+
 // --- Single tables (toml_section_scene.cpp) -----------------------------------------------------------------
 
 struct RenderDraft {
   scene::RenderSettings settings;
   std::array<int, 2> size{settings.width, settings.height};
-};
-
-struct CameraDraft {
-  scene::Camera camera;
-  std::optional<vec3> direction;
 };
 
 struct SkyDraft {
