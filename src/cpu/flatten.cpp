@@ -11,6 +11,7 @@
 #include "cpu/flatten_emitters.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_light_tree.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
 
@@ -36,7 +37,7 @@ std::uint64_t FlatScene::MemoryBytes() const {
          BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
          BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
          BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         TextureBytes();
+         BytesOf(lightNodes) + TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -107,6 +108,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
+  flat.params.lightSampling =
+      settings.lightSampling == scene::LightSampling::Power ? LIGHTS_BY_POWER : LIGHTS_BY_TREE;
   FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);
@@ -123,7 +126,10 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
                  flat);
-  if (isPath) FlattenEmitters(flat);
+  if (isPath) {
+    FlattenEmitters(flat);
+    FlattenLightTree(flat);
+  }
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

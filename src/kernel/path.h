@@ -30,7 +30,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.media = params.camera.inside == 1u ? MediaAround(s.ray) : NoMedia();
   s.bsdfPdf = 0.0f;
   s.lastPoint = s.ray.o;
-  s.lightSum = 0.0f;
+  s.lastNormal = vec3(0.0f, 0.0f, 0.0f);
   s.alive = 1u;
 }
 
@@ -86,9 +86,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     LET(Light) light = lights[object.light];
     float weight = 1.0f;
     if (s.bsdfPdf > 0.0f) {
-      float pick =
-          LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * (1.0f - EmitterShare());
-      float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
+      float lightPdf = PdfSource(s.lastPoint, s.lastNormal, light.node) *
+                       PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
     }
     s.L += s.beta * light.emission * weight;
@@ -118,8 +117,11 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
   if (!IsBlack(Le)) {
     float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
-      float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
+    if (s.bsdfPdf > 0.0f) {
+      LET(Emitter) emitter = emitters[object.emitters + hit.primitive];
+      float pdf = PdfSource(s.lastPoint, s.lastNormal, emitter.node);
+      if (pdf > 0.0f)
+        pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
     s.L += s.beta * Le * weight;
@@ -141,8 +143,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Bsdf bsdf = BsdfAt(material, shown, it.color, eta, woLocal.z);
 
   // Gather the light of one source, then choose the way on
-  float lightSum;
-  Spectrum sampled = SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, lightSum);
+  vec3 from = OffsetRayOrigin(it.p, it.pError, n, n);
+  vec3 facing = Transmits(bsdf) ? vec3(0.0f, 0.0f, 0.0f) : z;
+  Spectrum sampled =
+      SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, from, facing);
   s.L += s.beta * sampled;
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(bsdf, woLocal, lobe.x, PathSample2D(s));
@@ -161,8 +165,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   bool straight = next.transmitted == 1u && next.isSpecular == 1u && material.thin == 1u;
   if (!straight) {
     s.bsdfPdf = next.isSpecular == 1u ? 0.0f : next.pdf;
-    s.lastPoint = it.p;
-    s.lightSum = lightSum;
+    s.lastPoint = from;
+    s.lastNormal = facing;
   }
   if (next.transmitted == 1u) {
     s.rays.refracted += 1u;

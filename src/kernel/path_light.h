@@ -2,7 +2,8 @@
 //
 // Light that a vertex of a path receives from sources that are sampled (next-event estimation): one source is chosen,
 // one point or direction of it sampled, and weighted against the chance that the path's own way meets it (multiple
-// importance sampling; Veach and Guibas 1995). Reads all buffers of the scene.
+// importance sampling; Veach and Guibas 1995). Sources lie in the light tree or, as directional lights, beside it. The
+// choice is made for a point `p` and a normal `n`, 0 where light counts from all sides. Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
@@ -12,117 +13,112 @@ SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
   return u;
 }
 
-// The lights' importances at p, added up, and one of them chosen in proportion by u; None: all are dark.
-SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImportance) {
-  sum = 0.0f;
-  chosenImportance = 0.0f;
-  uint chosen = None;
+// The directional lights' importances, added up, and one of them chosen in proportion by u.
+SCENE_FN float ChooseDirectional(vec3 n, float u, OUT(uint) chosen, OUT(float) pick) {
+  float sum = 0.0f;
+  float importanceOfChosen = 0.0f;
   float left = u;
-  for (uint i = 0u; i < params.lightCount; ++i) {
+  chosen = None;
+  for (uint i = params.firstDirectional; i != None; i = lights[i].next) {
     LET(Light) light = lights[i];
-    float importance = LightImportance(light, p);
+    float importance = DirectionalImportance(light, n);
     if (importance <= 0.0f) continue;
     // Keep the old choice or take this one; either way the number is stretched to be uniform again
     sum += importance;
     float share = importance / sum;
     if (left < share) {
       chosen = i;
-      chosenImportance = importance;
+      importanceOfChosen = importance;
       left = left / share;
     } else {
       left = (left - share) / (1.0f - share);
     }
     left = Min(left, 0.99999994f);
   }
-  return chosen;
+  pick = sum > 0.0f ? importanceOfChosen / sum : 0.0f;
+  return sum;
 }
 
-// The share of samples that go to glowing triangles, the others to lights.
-SCENE_FN float EmitterShare() {
-  if (params.emitterCount == 0u) return 0.0f;
-  return params.lightCount == 0u ? 1.0f : 0.5f;
+// The share of samples that go to sources at infinity, given what they bring: half, or all or none where only one sort
+// can shine.
+SCENE_FN float InfiniteShare(vec3 p, vec3 n, float directional) {
+  if (directional <= 0.0f) return 0.0f;
+  if (params.lightNodeCount == 0u) return 1.0f;
+  return NodeImportance(0u, p, n) > 0.0f ? 0.5f : 1.0f;
 }
 
-// The density, per solid angle at a distance, of sampling a point of a glowing triangle in the direction wi: points are
-// uniform over the areas, weighted by the brightest channel of the material's emission.
-SCENE_FN float PdfEmitter(IN(Material) material, IN(SurfaceInteraction) it, vec3 wi,
-                          float distance) {
-  return EmitterShare() * MaxChannel(material.emission) / params.emitterPower * Sqr(distance) /
-         Max(abs(Dot(it.n, wi)), 1e-6f);
-}
-
-// The emitter in whose share u falls.
-SCENE_FN uint EmitterAt(float u) {
-  uint low = 0u;
-  uint high = params.emitterCount - 1u;
-  while (low < high) {
-    uint middle = (low + high) / 2u;
-    if (u < emitters[middle].last) {
-      high = middle;
-    } else {
-      low = middle + 1u;
-    }
+// A source, chosen by u, with its probability: a light or, counted on from the lights, an emitter. None: all are dark.
+SCENE_FN uint ChooseSource(vec3 p, vec3 n, vec2 u, OUT(float) pick) {
+  uint directional;
+  float directionalPick;
+  float share = InfiniteShare(p, n, ChooseDirectional(n, u.y, directional, directionalPick));
+  if (u.x < share) {
+    pick = share * directionalPick;
+    return directional;
   }
-  return low;
+  float stretched = Min((u.x - share) / (1.0f - share), 0.99999994f);
+  float treePick;
+  uint source = SampleLightTree(p, n, vec2(stretched, u.y), treePick);
+  pick = (1.0f - share) * treePick;
+  return source;
 }
 
-// Light from a point of a glowing triangle, sampled at a vertex, towards wo.
-SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it,
-                                 vec3 n, vec3 x, vec3 y, vec3 z, vec3 wo, float choice, vec2 u,
-                                 IN(MediumStack) before, IN(MediumStack) behind) {
+// The probability that ChooseSource takes the source at a leaf of the tree; None has none.
+SCENE_FN float PdfSource(vec3 p, vec3 n, uint leaf) {
+  if (leaf == None) return 0.0f;
+  uint directional;
+  float directionalPick;
+  float share = InfiniteShare(p, n, ChooseDirectional(n, 0.5f, directional, directionalPick));
+  return (1.0f - share) * PdfLightTree(p, n, leaf);
+}
+
+// Light from a point of something that glows, sampled at a vertex, towards wo. `pick`: the probability of the choice.
+SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Emitter) emitter, float pick, IN(Bsdf) bsdf,
+                                 IN(SurfaceInteraction) it, vec3 n, vec3 x, vec3 y, vec3 z, vec3 wo,
+                                 vec2 u, IN(MediumStack) before, IN(MediumStack) behind,
+                                 vec3 from) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
-  LET(Emitter) emitter = emitters[EmitterAt(choice)];
-  LET(Triangle) triangle = triangles[emitter.triangle];
-  vec2 b = SampleUniformTriangle(u);
-  vec3 point = positions[triangle.v0] * (1.0f - b.x - b.y) + positions[triangle.v1] * b.x +
-               positions[triangle.v2] * b.y;
-  if (emitter.instance != None) point = ToWorldPoint(instances[emitter.instance].toWorld, point);
-  vec3 toPoint = point - it.p;
-  float distance = Length(toPoint);
-  if (distance <= 0.0f) return none;
   Ray ray;
-  ray.o = it.p;
-  ray.d = toPoint / distance;
+  float reach;
+  SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, reach);
+  if (source.t <= 0.0f) return none;
   vec3 wi = vec3(Dot(ray.d, x), Dot(ray.d, y), Dot(ray.d, z));
   if (wi.z * Dot(ray.d, n) <= 0.0f) return none;
 
-  // What the triangle sends this way from there
-  Hit hit;
-  hit.primitive = emitter.triangle;
-  hit.instance = emitter.instance;
-  SurfaceInteraction source = SurfaceAt(hit, ray);
+  // What it sends this way from there
   LET(Material) material = materials[objects[source.object].material];
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
-  source.footprint = params.coneSpread * distance;
+  source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
                 OpacityOf(material, shown, source.alpha);
   float pdf;
   Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
   if (IsBlack(f * Le)) return none;
-  float sourcePdf = PdfEmitter(material, source, ray.d, distance);
+  float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
+  if (sourcePdf <= 0.0f) return none;
   s.rays.shadow += 1u;
   vec3 start = OffsetRayOrigin(it.p, it.pError, n, ray.d);
-  float reach = DistanceToLight(it.p, point, source.n, ray.d, distance);
   return f * Le * LightTransmittance(start, ray.d, reach, wi.z > 0.0f ? before : behind) *
          (1.0f / (sourcePdf + pdf));
 }
 
-// Light from one source, chosen and sampled at a vertex, towards wo.
+// Light from one source, chosen and sampled at a vertex, towards wo. The choice is made for `from`, just above the
+// vertex, and the normal `facing`.
 SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it, vec3 n,
                                vec3 x, vec3 y, vec3 z, vec3 wo, IN(MediumStack) before,
-                               IN(MediumStack) behind, OUT(float) lightSum) {
+                               IN(MediumStack) behind, vec3 from, vec3 facing) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   vec2 choice = PathSample2D(s);
   vec2 u = PathSample2D(s);
-  float importance;
-  uint index = ChooseLight(it.p, choice.x, lightSum, importance);
-  float emitterShare = EmitterShare();
-  if (choice.y < emitterShare)
-    return SampledEmitter(s, bsdf, it, n, x, y, z, wo, choice.x, u, before, behind);
-  if (index == None) return none;
-  LET(Light) light = lights[index];
-  LightLiSample li = SampleLi(light, it.p, u);
+  float pick;
+  uint source = ChooseSource(from, facing, choice, pick);
+  if (source == None || pick <= 0.0f) return none;
+  if (source >= params.lightCount)
+    return SampledEmitter(s, emitters[source - params.lightCount], pick, bsdf, it, n, x, y, z, wo,
+                          u, before, behind, from);
+  LET(Light) light = lights[source];
+  LightLiSample li = SampleLi(light, from, u);
   if (IsBlack(li.irradiance)) return none;
   vec3 wi = vec3(Dot(li.wi, x), Dot(li.wi, y), Dot(li.wi, z));
   // Both normals must agree on the side
@@ -134,10 +130,11 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInte
   vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
   Spectrum arriving = f * li.irradiance *
                       LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
-  float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
-  if (light.found == 1u) {
-    float lightPdf = pick * PdfLi(light, it.p, li.wi, li.distance);
+  // Rays that start inside a light's sphere do not meet it
+  bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
+  if (light.found == 1u && !isInside) {
+    float lightPdf = pick * PdfLi(light, from, li.wi, li.distance);
     weight = lightPdf / (lightPdf + pdf);
   }
   return arriving * (weight / pick);
