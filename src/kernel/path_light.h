@@ -72,18 +72,18 @@ SCENE_FN float PdfSource(vec3 p, vec3 n, uint leaf) {
   return (1.0f - share) * PdfLightTree(p, n, leaf);
 }
 
-// Light from a point of something that glows, sampled at a vertex, towards wo. `pick`: the probability of the choice.
-SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Emitter) emitter, float pick, IN(Bsdf) bsdf,
-                                 IN(SurfaceInteraction) it, vec3 n, vec3 x, vec3 y, vec3 z, vec3 wo,
-                                 vec2 u, IN(MediumStack) before, IN(MediumStack) behind,
-                                 vec3 from) {
+// Light from a point of something that glows, sampled at a vertex, towards where the path comes from. `pick`: the
+// probability of the choice.
+SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from,
+                                 IN(Emitter) emitter, float pick, vec2 u) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   Ray ray;
   float reach;
   SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, reach);
   if (source.t <= 0.0f) return none;
-  vec3 wi = vec3(Dot(ray.d, x), Dot(ray.d, y), Dot(ray.d, z));
-  if (wi.z * Dot(ray.d, n) <= 0.0f) return none;
+  float pdf;
+  Spectrum f = EvalVertex(v, ray.d, pdf);
+  if (IsBlack(f)) return none;
 
   // What it sends this way from there
   LET(Material) material = materials[objects[source.object].material];
@@ -92,44 +92,35 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Emitter) emitter, float 
   RoleTexels shown = TexelsAt(material, source);
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
                 OpacityOf(material, shown, source.alpha);
-  float pdf;
-  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
   if (IsBlack(f * Le)) return none;
   float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
   if (sourcePdf <= 0.0f) return none;
   s.rays.shadow += 1u;
-  vec3 start = OffsetRayOrigin(it.p, it.pError, n, ray.d);
-  return f * Le * LightTransmittance(start, ray.d, reach, wi.z > 0.0f ? before : behind) *
+  return f * Le * LightTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
          (1.0f / (sourcePdf + pdf));
 }
 
-// Light from one source, chosen and sampled at a vertex, towards wo. The choice is made for `from`, just above the
-// vertex, and the normal `facing`.
-SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it, vec3 n,
-                               vec3 x, vec3 y, vec3 z, vec3 wo, IN(MediumStack) before,
-                               IN(MediumStack) behind, vec3 from, vec3 facing) {
+// Light from one source, chosen and sampled at a vertex, towards where the path comes from.
+SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   vec2 choice = PathSample2D(s);
   vec2 u = PathSample2D(s);
+  vec3 from = VertexAbove(v);
   float pick;
-  uint source = ChooseSource(from, facing, choice, pick);
+  uint source = ChooseSource(from, VertexFacing(v), choice, pick);
   if (source == None || pick <= 0.0f) return none;
   if (source >= params.lightCount)
-    return SampledEmitter(s, emitters[source - params.lightCount], pick, bsdf, it, n, x, y, z, wo,
-                          u, before, behind, from);
+    return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
   LET(Light) light = lights[source];
   LightLiSample li = SampleLi(light, from, u);
   if (IsBlack(li.irradiance)) return none;
-  vec3 wi = vec3(Dot(li.wi, x), Dot(li.wi, y), Dot(li.wi, z));
-  // Both normals must agree on the side
-  if (wi.z * Dot(li.wi, n) <= 0.0f) return none;
   float pdf;
-  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
+  Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
-  Spectrum arriving = f * li.irradiance *
-                      LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
+  Spectrum arriving =
+      f * li.irradiance *
+      LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   float weight = 1.0f;
   // Rays that start inside a light's sphere do not meet it
   bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
