@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 
 #include "cpu/emission_average.h"
 #include "cpu/light_tree.h"
@@ -143,17 +142,15 @@ const Object& ObjectOf(const FlatScene& flat, const Emitter& emitter) {
   return flat.objects[flat.meshes[flat.triangles[emitter.primitive].mesh].object];
 }
 
-// An emitter as a leaf; none if it cannot be sampled or brings nothing.
-std::optional<LightLeaf> LeafOf(const FlatScene& flat, const Emitter& emitter) {
-  if (!(emitter.area > 0)) return {};
+// An emitter as a leaf; without power if it cannot be sampled.
+LightLeaf LeafOf(const FlatScene& flat, const Emitter& emitter) {
   const Object& object = ObjectOf(flat, emitter);
-  if ((object.mask & MASK_SECONDARY) == 0) return {};
+  if (!(emitter.area > 0) || (object.mask & MASK_SECONDARY) == 0) return {};
   const Material& material = flat.materials[object.material];
   LightLeaf leaf = PlaceOf(flat, emitter, material.singleSided == 0);
-  leaf.power = {
-      0, 0,
-      double(emitter.area) * double(MaxChannel(AverageEmission(flat, emitter, material, leaf.center,
-                                                               vec3(leaf.cone.axis))))};
+  const Spectrum radiance =
+      AverageEmission(flat, emitter, material, leaf.center, vec3(leaf.cone.axis));
+  leaf.power.z = double(emitter.area) * double(MaxChannel(radiance));
   return leaf;
 }
 
@@ -173,17 +170,15 @@ void FlattenLightTree(FlatScene& flat) {
     leaves.push_back(LeafOf(light));
     leaves.back().source = i;
   }
-  std::vector<std::optional<LightLeaf>> ofEmitters(flat.emitters.size());
+  const std::size_t firstEmitter = leaves.size();
+  leaves.resize(firstEmitter + flat.emitters.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, flat.emitters.size(), 256),
                     [&](const auto& part) {
                       for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                        ofEmitters[i] = LeafOf(flat, flat.emitters[i]);
-                        if (ofEmitters[i]) ofEmitters[i]->source = uint(flat.lights.size() + i);
+                        leaves[firstEmitter + i] = LeafOf(flat, flat.emitters[i]);
+                        leaves[firstEmitter + i].source = uint(flat.lights.size() + i);
                       }
                     });
-  for (const std::optional<LightLeaf>& leaf : ofEmitters) {
-    if (leaf) leaves.push_back(*leaf);
-  }
   std::erase_if(leaves, [](const LightLeaf& leaf) {
     return !(leaf.Power() > 0) || !std::isfinite(leaf.Power()) || !leaf.box.Finite();
   });
