@@ -13,6 +13,7 @@
 #include "cpu/flatten_environment.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_light_tree.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
 
@@ -38,7 +39,7 @@ std::uint64_t FlatScene::MemoryBytes() const {
          BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
          BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
          BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         TextureBytes();
+         BytesOf(lightNodes) + TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -64,6 +65,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.seed = settings.seed;
   flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
   flat.params.samplesLog2 = SamplesLog2(settings.spp);
+  flat.params.lightSampling =
+      settings.lightSampling == scene::LightSampling::Power ? LIGHTS_BY_POWER : LIGHTS_BY_TREE;
 
   flat.integrator = settings.integrator;
   FlattenMaterials(scene, flat);
@@ -79,7 +82,10 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
                  flat);
-  if (isPath) FlattenEmitters(flat);
+  if (isPath) {
+    FlattenEmitters(flat);
+    FlattenLightTree(flat);
+  }
   FlattenEnvironment(scene.environment, flat);
 
   // See what the objects ask of the integrator

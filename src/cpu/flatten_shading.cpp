@@ -333,7 +333,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint object = uint(flat.objects.size());
     flat.objects.push_back(
-        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0))});
+        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0)), 0});
     AppendSurface(light, object, flat);
   }
   flat.params.lightCount = uint(flat.lights.size());

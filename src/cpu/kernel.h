@@ -34,6 +34,7 @@ struct Kernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const LightNode* lightNodes;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
@@ -48,8 +49,10 @@ struct Kernel {
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_environment.h"
+#include "kernel/scene_emitter.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"

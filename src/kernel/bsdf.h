@@ -109,6 +109,12 @@ FN float BaseReflectionShare(Spectrum reflectance, Spectrum transmittance) {
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
 FN bool IsSmoothCoat(IN(Bsdf) b) { return b.coatAlpha.x < SmoothAlpha; }
 
+// Whether EvalBsdf sees light from the other side.
+FN bool Transmits(IN(Bsdf) b) {
+  return b.pickDiffuseTransmission > 0.0f ||
+         (!IsSmoothBase(b) && MaxChannel(b.transmissionScale) > 0.0f);
+}
+
 // Passing the coat takes its colour along the way; the exponent is the way's length through it.
 FN Spectrum CoatPassage(IN(Bsdf) b, float cosine) {
   if (b.coat <= 0.0f) return Spectrum(1.0f, 1.0f, 1.0f);

@@ -99,6 +99,14 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
   return s;
 }
 
+// Their density.
+FN float PdfSphereDirections(vec3 center, float radius, vec3 p) {
+  float distance = Length(center - p);
+  if (distance <= radius) return 0.25f * InvPi;
+  float sin2 = Sqr(radius / distance);
+  return Inv2Pi * (1.0f + SafeSqrt(1.0f - sin2)) / sin2;
+}
+
 // What a sphere's solid angle stands for: its intensity per radiance, π r², with the light's falloff.
 FN float SphereStrength(IN(Light) light, float distance, float solidAngle) {
   if (light.falloff == FALLOFF_INVERSE_SQUARE) return solidAngle;
@@ -176,11 +184,7 @@ FN LightLiSample SampleLi(IN(Light) light, vec3 p, vec2 u) {
 // the disc of a directional light.
 FN float PdfLi(IN(Light) light, vec3 p, vec3 wi, float distance) {
   if (light.kind == LIGHT_DIRECTIONAL) return Inv2Pi / light.oneMinusCos;
-  if (light.kind == LIGHT_SPHERE) {
-    float sin2 = Sqr(light.radius) / LengthSquared(light.position - p);
-    if (sin2 >= 1.0f) return 0.25f * InvPi;
-    return Inv2Pi * (1.0f + SafeSqrt(1.0f - sin2)) / sin2;
-  }
+  if (light.kind == LIGHT_SPHERE) return PdfSphereDirections(light.position, light.radius, p);
   float cosLight = -Dot(light.direction, wi);
   if (cosLight <= 0.0f) return 0.0f;
   if (HasSphericalRectangle(light)) {
@@ -196,34 +200,6 @@ FN Spectrum SunLe(IN(Light) light, vec3 d) {
   if (LengthSquared(d + light.direction) >= 2.0f * light.oneMinusCos)
     return Spectrum(0.0f, 0.0f, 0.0f);
   return light.emission * (Inv2Pi / light.oneMinusCos);
-}
-
-// About how much light p can receive from a source, shadows and angles aside: what choosing one of many goes by.
-FN float LightImportance(IN(Light) light, vec3 p) {
-  float brightness = MaxChannel(light.emission);
-  if (light.kind == LIGHT_DIRECTIONAL) return brightness;
-  vec3 middle = light.position;
-  float extent2 = Sqr(light.radius);
-  if (light.kind == LIGHT_RECTANGLE || light.kind == LIGHT_TRIANGLE) {
-    float share = light.kind == LIGHT_RECTANGLE ? 0.5f : 0.33333333f;
-    middle = middle + (light.edgeU + light.edgeV) * share;
-    extent2 = LengthSquared(light.edgeU) + LengthSquared(light.edgeV);
-  }
-  if (light.kind == LIGHT_DISK) extent2 = LengthSquared(light.edgeU);
-  vec3 toLight = middle - p;
-  float distance = sqrt(LengthSquared(toLight) + 0.25f * extent2);
-  bool isFlat =
-      light.kind == LIGHT_RECTANGLE || light.kind == LIGHT_TRIANGLE || light.kind == LIGHT_DISK;
-  if (isFlat) {
-    if (Dot(light.direction, p - light.position) <= 0.0f) return 0.0f;
-    brightness *= light.area;
-  }
-  if (light.kind == LIGHT_SPHERE) brightness *= Pi * Sqr(light.radius);
-  if (light.kind == LIGHT_SPOT && light.radius == 0.0f &&
-      -Dot(light.direction, toLight) < light.cosOuter * Length(toLight))
-    return 0.0f;
-  return brightness * DistanceFalloff(light.falloff, distance, light.factor) *
-         RangeWindow(Length(toLight), light.range > 0.0f ? light.range + sqrt(extent2) : 0.0f);
 }
 
 KERNEL_END

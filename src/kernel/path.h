@@ -33,7 +33,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.media = params.camera.inside == 1u ? MediaAround(s.ray) : NoMedia();
   s.bsdfPdf = 0.0f;
   s.lastPoint = s.ray.o;
-  s.lightSum = 0.0f;
+  s.lastNormal = vec3(0.0f, 0.0f, 0.0f);
   s.alive = start.weight > 0.0f ? 1u : 0u;
   s.rays.camera = s.alive;
 }
@@ -128,8 +128,11 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
   if (!IsBlack(Le)) {
     float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
-      float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
+    if (s.bsdfPdf > 0.0f) {
+      LET(Emitter) emitter = emitters[object.emitters + hit.primitive];
+      float pdf = PdfSource(s.lastPoint, s.lastNormal, emitter.node);
+      if (pdf > 0.0f)
+        pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
     s.L += s.beta * Le * weight;
@@ -159,8 +162,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
 
   // Gather the light of one source, then choose the way on
-  float lightSum;
-  Spectrum sampled = SampledLight(s, v, lightSum);
+  Spectrum sampled = SampledLight(s, v);
   s.L += s.beta * sampled;
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
@@ -179,8 +181,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   bool straight = next.transmitted == 1u && next.isSpecular == 1u && material.thin == 1u;
   if (!straight) {
     s.bsdfPdf = next.isSpecular == 1u ? 0.0f : next.pdf;
-    s.lastPoint = it.p;
-    s.lightSum = lightSum;
+    s.lastPoint = VertexAbove(v);
+    s.lastNormal = VertexFacing(v);
   }
   if (next.transmitted == 1u) {
     s.rays.refracted += 1u;

@@ -26,7 +26,7 @@ struct PathState {
   // For the chance that the light at the next vertex is sampled from the last one, too
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been
   vec3 lastPoint;
-  float lightSum;  // of the lights' importances there
+  vec3 lastNormal;  // as the choice of a source saw it there: 0 where light counts from all sides
   uint seed;
   uint sampleIndex;  // in the sequence of that seed (sobol.h)
   uint dimension;    // pairs of sample dimensions used

@@ -41,6 +41,7 @@ struct Object {
   uint mask;
   uint light;  // the area light that this surface is, or None
   Transform toWorld;
+  uint emitters;  // if it glows: this and a primitive's index give its emitter
 };
 
 CONST uint SHAPE_SPHERE = 0u;  // radius a around the origin of toWorld, whose axes are a rotation
@@ -282,14 +283,37 @@ struct Light {
   float range;        // metres; 0: unlimited
   uint found;         // 1: rays that meet its surface, or its disc, see what SampleLi samples
   uint nextSun;       // the next directional light that has a disc in the sky, or None
+  uint node;          // its leaf in the light tree, or None
+  uint next;          // directional: the next such light, or None
 };
 
-// A triangle that glows, one of those that the path tracer samples.
+// A triangle or a shape that glows, for the path tracer to sample.
 struct Emitter {
-  uint triangle;
-  uint instance;  // None: in world space
-  float last;     // of the powers up to and with this one, added up, as a share of all
+  uint primitive;  // as in Hit
+  uint instance;
+  uint node;   // its leaf in the light tree; None: met by chance alone
+  float area;  // m²; of a sphere, of its silhouette
 };
+
+CONST uint LIGHT_NODE_LEAF = 1u;
+CONST uint LIGHT_NODE_TWO_SIDED = 2u;
+
+// Sources of light that lie together, with bounds of where they are and whither they shine (light_tree.h).
+struct LightNode {
+  vec3 center;  // of a sphere around them
+  float radius;
+  vec3 axis;        // of a cone around the sources' normals,
+  float cosThetaO;  // its half angle,
+  float cosThetaE;  // and how far from its normal a source shines, at most 90°
+  vec3 power;       // intensity, as a share of all, by falloff: none, linear, inverse square
+  float reach;      // the largest range, metres; 0: unlimited
+  uint flags;
+  uint first;   // of its two children, which lie side by side; of a leaf: the source
+  uint parent;  // of the root: 0
+};
+
+CONST uint LIGHTS_BY_TREE = 0u;
+CONST uint LIGHTS_BY_POWER = 1u;
 
 // The background, by direction: from `bottom` to `top` over the sine of the elevation, or a map.
 struct Environment {
@@ -346,9 +370,9 @@ struct RenderParams {
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
-  uint emitterCount;
-  float
-      emitterPower;  // of all emitters: their areas times the brightest channels of their radiance
+  uint lightNodeCount;    // 0: there is no light tree
+  uint firstDirectional;  // the first directional light, or None
+  uint lightSampling;     // how the path tracer chooses among the tree's sources
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut

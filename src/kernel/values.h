@@ -14,6 +14,7 @@
 #include "kernel/image.h"
 #include "kernel/interface.h"
 #include "kernel/light.h"
+#include "kernel/light_tree.h"
 #include "kernel/medium.h"
 #include "kernel/path_state.h"
 #include "kernel/path_vertex.h"

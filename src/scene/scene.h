@@ -208,6 +208,8 @@ struct Environment {
 
 enum class Integrator { Whitted, Path };
 enum class Sampler { Sobol, Independent };  // of the path tracer
+// How the path tracer chooses among sources of light: by what each can bring to the point, or by power alone.
+enum class LightSampling { Tree, Power };
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.
@@ -223,6 +225,7 @@ struct RenderSettings {
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear
   bool tintedShadows = true;
+  LightSampling lightSampling = LightSampling::Tree;
   std::uint32_t seed = 0;
 };
 

@@ -159,6 +159,30 @@ TEST(Coverage, LightsAndFalloffs) {
   }
 }
 
+TEST(Coverage, EmittersAndTheLightTree) {
+  std::set<uint> shapes, flags, sampling;
+  bool inWorld = false, instanced = false, byChance = false, directional = false;
+  for (scene::Scene& scene : AllScenes()) {
+    scene.settings.integrator = scene::Integrator::Path;
+    const FlatScene flat = cpu::Flatten(scene, scene.settings, scene.cameras[0]);
+    for (const Emitter& emitter : flat.emitters) {
+      const bool isShape = emitter.instance == INSTANCE_SHAPE;
+      if (isShape && emitter.node != kernel::None)
+        shapes.insert(flat.shapes[emitter.primitive].kind);
+      inWorld |= emitter.instance == kernel::None;
+      instanced |= !isShape && emitter.instance != kernel::None;
+      byChance |= emitter.node == kernel::None;
+    }
+    if (flat.lightNodes.size() > 3) sampling.insert(flat.params.lightSampling);
+    for (const LightNode& node : flat.lightNodes) flags.insert(node.flags);
+    directional |= flat.params.firstDirectional != kernel::None;
+  }
+  EXPECT_EQ(shapes, (std::set<uint>{SHAPE_SPHERE, SHAPE_DISK, SHAPE_RECTANGLE}));
+  EXPECT_EQ(flags, TagsTo(LIGHT_NODE_LEAF | LIGHT_NODE_TWO_SIDED));
+  EXPECT_EQ(sampling, TagsTo(LIGHTS_BY_POWER));
+  EXPECT_TRUE(inWorld && instanced && byChance && directional);
+}
+
 TEST(Coverage, CamerasAndSurroundings) {
   std::set<uint> cameras, inside, tinted, lenses, blades;
   bool ambient = false, gradient = false, under = false;

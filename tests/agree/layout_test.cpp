@@ -72,7 +72,7 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Object",
        {sizeof(Object),
         {MEMBER(Object, material), MEMBER(Object, mask), MEMBER(Object, light),
-         MEMBER(Object, toWorld)}}},
+         MEMBER(Object, toWorld), MEMBER(Object, emitters)}}},
       {"Shape",
        {sizeof(Shape),
         {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, mapped), MEMBER(Shape, a),
@@ -148,11 +148,18 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
          MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
          MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
-         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found),
-         MEMBER(Light, nextSun)}}},
+         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found), MEMBER(Light, nextSun),
+         MEMBER(Light, node), MEMBER(Light, next)}}},
       {"Emitter",
        {sizeof(Emitter),
-        {MEMBER(Emitter, triangle), MEMBER(Emitter, instance), MEMBER(Emitter, last)}}},
+        {MEMBER(Emitter, primitive), MEMBER(Emitter, instance), MEMBER(Emitter, node),
+         MEMBER(Emitter, area)}}},
+      {"LightNode",
+       {sizeof(LightNode),
+        {MEMBER(LightNode, center), MEMBER(LightNode, radius), MEMBER(LightNode, axis),
+         MEMBER(LightNode, cosThetaO), MEMBER(LightNode, cosThetaE), MEMBER(LightNode, power),
+         MEMBER(LightNode, reach), MEMBER(LightNode, flags), MEMBER(LightNode, first),
+         MEMBER(LightNode, parent)}}},
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
@@ -171,12 +178,12 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
-         MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
-         MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
-         MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
-         MEMBER(RenderParams, independentSamples), MEMBER(RenderParams, samplesLog2),
-         MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
-         MEMBER(RenderParams, filterQuantiles)}}},
+         MEMBER(RenderParams, lightNodeCount), MEMBER(RenderParams, firstDirectional),
+         MEMBER(RenderParams, lightSampling), MEMBER(RenderParams, tintedShadows),
+         MEMBER(RenderParams, maxDepth), MEMBER(RenderParams, minContribution),
+         MEMBER(RenderParams, seed), MEMBER(RenderParams, independentSamples),
+         MEMBER(RenderParams, samplesLog2), MEMBER(RenderParams, coneWidth),
+         MEMBER(RenderParams, coneSpread), MEMBER(RenderParams, filterQuantiles)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
         {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),
@@ -221,7 +228,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 17u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 18u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

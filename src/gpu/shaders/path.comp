@@ -21,11 +21,13 @@
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/path_environment.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/path_light.h"
 #include "kernel/path.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 21) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 22) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

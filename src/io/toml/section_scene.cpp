@@ -12,6 +12,7 @@
 namespace snell::io {
 
 using scene::Integrator;
+using scene::LightSampling;
 using scene::PixelFilter;
 using scene::RenderSettings;
 
@@ -35,7 +36,11 @@ static Keys<RenderSettings> SamplingKeys() {
           .Not({"cutoff", "threshold"}),
       Field("shadows", &RenderSettings::tintedShadows,
             Choice<bool>({{"tinted", true}, {"opaque", false}}),
-            "Whether clear materials colour the light that they let through, or block it.")};
+            "Whether clear materials colour the light that they let through, or block it."),
+      Field("light_sampling", &RenderSettings::lightSampling,
+            Choice<LightSampling>({{"tree", LightSampling::Tree}, {"power", LightSampling::Power}}),
+            "How the path tracer chooses among lights and what glows: by what each can bring to a "
+            "point, or by power alone, as a measure of what the former saves.")};
 }
 
 static Keys<RenderSettings> PictureKeys() {
