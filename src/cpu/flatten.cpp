@@ -11,6 +11,7 @@
 #include "cpu/flatten_emitters.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_medium.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
 
@@ -105,6 +106,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.environment = FlattenEnvironment(scene.environment);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
+  flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
+  flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
   FlattenCone(settings, flat.params);

@@ -168,6 +168,7 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
+  Medium medium;  // around all objects
 };
 
 enum class Integrator { Whitted, Path };
@@ -180,6 +181,7 @@ struct RenderSettings {
   int spp = 16;  // samples per pixel
   Integrator integrator = Integrator::Whitted;
   int maxDepth = 16;               // 1: rays from the camera only
+  int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one

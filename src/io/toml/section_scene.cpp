@@ -35,6 +35,9 @@ static Keys<RenderSettings> SamplingKeys() {
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
+      Field("max_volume_depth", &RenderSettings::maxVolumeDepth, Integer(0, 1000000),
+            "How often a path may be scattered within media and below surfaces.")
+          .Not({"volume_bounces", "volume_depth"}),
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
@@ -181,6 +184,13 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
   const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
                          "Index of refraction of the space around the objects.")
                        .Not({"index", "refractive_index", "index_of_refraction"});
+  const auto medium =
+      Field("medium", &Environment::medium, TableOf(MediumSection, "a table of a medium"),
+            "What fills the space around the objects without end, such as fog; only the path "
+            "tracer shows it.")
+          .Standard("nothing")
+          .Example("{ scattering = 0.05, absorption = 0.01 }")
+          .Not({"fog", "volume", "atmosphere"});
   static const SectionOf<EnvironmentDraft> section =
       SectionOf<EnvironmentDraft>(
           "environment", "[environment]",
@@ -188,7 +198,7 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
           "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
           Join<EnvironmentDraft>({{color},
                                   Within(&EnvironmentDraft::environment, GradientKeys()),
-                                  Within(&EnvironmentDraft::environment, {ior})}))
+                                  Within(&EnvironmentDraft::environment, {ior, medium})}))
           .OnlyOne({{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}})
           .Checked(CheckEnvironment);
   return section;
@@ -271,7 +281,7 @@ const std::vector<const Section*>& AllSections() {
       &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
       &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
       &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &TextureSection(),       &TintSection()};
+      &MediumSection(),        &TextureSection(),  &TintSection()};
   return sections;
 }
 
