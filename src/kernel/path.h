@@ -122,7 +122,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Hit hit = ClosestHit(ray, Infinite, fromCamera ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
     // Bodies that are not closed let the path out to nowhere
-    if (s.walk != None || !PathGetsThrough(s, s.media, Infinite)) return;
+    if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
     Spectrum Le = EnvironmentLe(params.environment, ray.d);
     // Ambient lights light surfaces but are not seen
     if (!fromCamera) Le += params.ambient;
@@ -228,7 +228,9 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   }
   v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
   v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
-  if (s.walk != None) v.bsdf = WithoutSubsurface(v.bsdf);
+  // Nothing wanders below a surface within a body that does, or seen from below
+  if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
+    v.bsdf = WithoutSubsurface(v.bsdf);
   v.object = it.object;
   s.coneWidth = coneWidth;
 
