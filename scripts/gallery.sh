@@ -20,6 +20,7 @@ Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
 Cameras: depth_of_field fisheye
 Glass: refraction total_reflection absorption glass_of_water
+Media: fog smoke subsurface
 All together: finale'
 
 # The first comment of a scene: its title, or what there is to see.

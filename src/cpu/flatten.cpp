@@ -14,6 +14,7 @@
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_light_tree.h"
+#include "cpu/flatten_medium.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
 
@@ -61,6 +62,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlattenCamera(camera, settings, flat.params);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
+  flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
+  flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
   flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;

@@ -119,6 +119,7 @@ bool PassesStraight(const scene::Material& material) {
 }
 
 bool LetsShadowRaysPass(const scene::Material& material, ShadowRays shadowRays) {
+  if (material.volume) return true;
   if (!material.Refractive()) return material.alphaMode != scene::AlphaMode::Opaque;
   if (shadowRays == ShadowRays::Path) return PassesStraight(material);
   return shadowRays == ShadowRays::Tinted;

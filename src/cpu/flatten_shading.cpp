@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_medium.h"
 #include "cpu/flatten_texture.h"
 #include "kernel/math.h"
 
@@ -56,15 +57,6 @@ uint FlattenAlpha(scene::AlphaMode mode) {
     case scene::AlphaMode::Blend: return ALPHA_BLEND;
   }
   return ALPHA_OPAQUE;
-}
-
-// The absorption coefficient that leaves `color` of white light after `distance`.
-Spectrum Absorption(Spectrum color, float distance) {
-  if (!std::isfinite(distance)) return Spectrum(0.0f);
-  const auto coefficient = [&](float c) {
-    return -std::log(std::clamp(c, 1e-6f, 1.0f)) / distance;
-  };
-  return {coefficient(color.x), coefficient(color.y), coefficient(color.z)};
 }
 
 Light FlattenLight(const scene::Light& light) {
@@ -174,6 +166,7 @@ static Physical FlattenPhysical(const scene::OpenPbr& from) {
   physical.coatDarkening = from.coatDarkening;
   physical.diffuseTransmission = from.diffuseTransmissionWeight.value;
   physical.diffuseTransmissionColor = from.diffuseTransmissionColor.value;
+  FlattenSubsurface(from, physical);
   physical.metalColor = physical.baseColor;
   physical.tintByBase = 1;
   physical.metalByBase = 1;
@@ -250,6 +243,8 @@ static void FlattenRoles(const scene::Material& from, Material& m) {
   set(ROLE_FUZZ_WEIGHT, physical.fuzzWeight.texture);
   set(ROLE_FUZZ_COLOR, physical.fuzzColor.texture);
   set(ROLE_FUZZ_ROUGHNESS, physical.fuzzRoughness.texture);
+  set(ROLE_SUBSURFACE, physical.subsurfaceWeight.texture);
+  set(ROLE_SUBSURFACE_COLOR, physical.subsurfaceColor.texture);
 }
 
 static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
@@ -273,9 +268,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
     m.physical = m.closure = uint(flat.physicals.size());
     flat.physicals.push_back(FlattenPhysical(physical));
     m.ior = physical.specularIor;
-    m.absorption = physical.transmissionDepth > 0
-                       ? Absorption(physical.transmissionColor, physical.transmissionDepth)
-                       : Spectrum(0.0f);
+    m.inside = InsideOf(physical);
     m.emission = physical.emission.value;
     return m;
   }
@@ -284,7 +277,13 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;
-  m.absorption = Absorption(from.attenuationColor, from.attenuationDistance);
+  m.inside.extinction = Extinction(from.attenuationColor, from.attenuationDistance);
+  if (from.volume) {
+    m.container = 1;
+    m.thin = 0;
+    m.ior = flat.params.environment.ior;
+    m.inside = FlattenMedium(*from.volume);
+  }
   m.emission = from.emission.value;
   m.reflectivity = from.reflectivity.value;
   m.transparency = from.transparency.value;

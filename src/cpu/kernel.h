@@ -47,6 +47,8 @@ struct Kernel {
 #include "kernel/path.h"
 #include "kernel/path_environment.h"
 #include "kernel/path_light.h"
+#include "kernel/path_medium.h"
+#include "kernel/path_shadow.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_emitter.h"

@@ -30,6 +30,8 @@ struct Bsdf {
   Spectrum diffuse;            // albedo of what is below the dielectric
   float diffuseRoughness;
   Spectrum diffuseTransmission;  // albedo, to the other side
+  Spectrum subsurface;           // what enters the body to wander there,
+  Spectrum subsurfaceColor;      // and what comes back of it
   uint thin;                     // 1: what is refracted goes straight on
   float coat;                    // weight
   vec2 coatAlpha;
@@ -44,6 +46,7 @@ struct Bsdf {
   float pickBase;
   float pickDiffuse;
   float pickDiffuseTransmission;
+  float pickSubsurface;
   float pickFuzz;
 };
 
@@ -53,6 +56,7 @@ struct BsdfSample {
   float pdf;         // per solid angle; 0: no sample
   uint isSpecular;   // 1: a direction of a perfectly smooth lobe, which Eval and Pdf do not see
   uint transmitted;  // 1: on the other side
+  uint wanders;      // 1: below the surface; Eval and Pdf do not see it
 };
 
 FN BsdfSample NoBsdfSample() {
@@ -62,7 +66,54 @@ FN BsdfSample NoBsdfSample() {
   s.pdf = 0.0f;
   s.isSpecular = 0u;
   s.transmitted = 0u;
+  s.wanders = 0u;
   return s;
+}
+
+// A matt surface and nothing else.
+FN Bsdf DiffuseBsdf(Spectrum albedo) {
+  Spectrum zero = Spectrum(0.0f, 0.0f, 0.0f);
+  Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
+  Bsdf b;
+  b.alpha = vec2(0.0f, 0.0f);
+  b.eta = 1.0f;
+  b.etaFresnel = 1.0f;
+  b.metalness = 0.0f;
+  b.metalF0 = zero;
+  b.metalTint = one;
+  b.metalScale = one;
+  b.reflectionScale = zero;
+  b.transmissionScale = zero;
+  b.diffuse = albedo;
+  b.diffuseRoughness = 0.0f;
+  b.diffuseTransmission = zero;
+  b.subsurface = zero;
+  b.subsurfaceColor = zero;
+  b.thin = 0u;
+  b.coat = 0.0f;
+  b.coatAlpha = vec2(0.0f, 0.0f);
+  b.coatEta = 1.0f;
+  b.coatTint = one;
+  b.underCoat = one;
+  b.fuzz = zero;
+  b.fuzzAlpha = 1.0f;
+  b.underFuzz = 1.0f;
+  b.pickCoat = 0.0f;
+  b.pickBase = 0.0f;
+  b.pickDiffuse = 1.0f;
+  b.pickDiffuseTransmission = 0.0f;
+  b.pickSubsurface = 0.0f;
+  b.pickFuzz = 0.0f;
+  return b;
+}
+
+// The same surface with matt reflection in place of what wanders below.
+FN Bsdf WithoutSubsurface(IN(Bsdf) from) {
+  Bsdf b = from;
+  b.diffuse += b.subsurface * b.subsurfaceColor;
+  b.pickDiffuse += b.pickSubsurface;
+  b.pickSubsurface = 0.0f;
+  return b;
 }
 
 // Reflectance of a conductor: Schlick's with a tint that is strongest near 82° (Kutz, Hasan and Edmondson 2021,
@@ -220,6 +271,7 @@ FN BsdfSample SmoothSample(vec3 wi, Spectrum reflectance, float pick) {
   s.pdf = pick;
   s.isSpecular = 1u;
   s.transmitted = wi.z < 0.0f ? 1u : 0u;
+  s.wanders = 0u;
   return s;
 }
 
@@ -269,6 +321,12 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
     vec2 disk = SampleUniformDisk(u);
     float z = SafeSqrt(1.0f - disk.x * disk.x - disk.y * disk.y);
     wi = vec3(disk.x, disk.y, left < b.pickDiffuse ? z : -z);
+  } else if ((left -= b.pickDiffuse + b.pickDiffuseTransmission) < b.pickSubsurface) {
+    vec2 disk = SampleUniformDisk(u);
+    wi = vec3(disk.x, disk.y, -SafeSqrt(1.0f - disk.x * disk.x - disk.y * disk.y));
+    BsdfSample entry = SmoothSample(wi, b.subsurface * ThroughLayers(b, wo, wi), b.pickSubsurface);
+    entry.wanders = 1u;
+    return entry;
   } else {
     float sine = SafeSqrt(1.0f - u.x * u.x);
     float s;
@@ -280,6 +338,7 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
   s.wi = wi;
   s.isSpecular = 0u;
   s.transmitted = wi.z < 0.0f ? 1u : 0u;
+  s.wanders = 0u;
   Spectrum f = EvalBsdf(b, wo, wi, s.pdf);
   if (s.pdf <= 0.0f) return NoBsdfSample();
   s.weight = f / s.pdf;

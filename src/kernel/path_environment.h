@@ -18,7 +18,7 @@ SCENE_FN Spectrum SampledEnvironment(INOUT(PathState) s, IN(PathVertex) v, vec2 
   Spectrum f = EvalVertex(v, wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  return f * Le * LightTransmittance(VertexStart(v, wi), wi, Infinite, VertexMedia(v, wi)) *
+  return f * Le * PathTransmittance(VertexStart(v, wi), wi, Infinite, VertexMedia(v, wi)) *
          (1.0f / (EnvironmentShare() * mapPdf + pdf));
 }
 

@@ -119,7 +119,7 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from
   float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
   if (sourcePdf <= 0.0f) return none;
   s.rays.shadow += 1u;
-  return f * Le * LightTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
+  return f * Le * PathTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
          (1.0f / (sourcePdf + pdf));
 }
 
@@ -145,7 +145,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   s.rays.shadow += 1u;
   Spectrum arriving =
       f * li.irradiance *
-      LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
+      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   float weight = 1.0f;
   // Rays that start inside a light's sphere do not meet it
   bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;

@@ -8,21 +8,24 @@
 
 KERNEL_BEGIN
 
-// Paths shorter than this are not ended by chance.
+// Paths of fewer vertices than this are not ended by chance.
 CONST uint RouletteDepth = 4u;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
 
 struct PathState {
-  Ray ray;          // to the next vertex
-  uint alive;       // 1: it is to be traced
-  Spectrum beta;    // what its radiance counts in the pixel
-  Spectrum L;       // radiance gathered so far
-  float etaScale;   // η² of the refractions so far, which Russian roulette does not see
-  uint depth;       // of the next vertex; 1 is what the camera sees
-  uint passes;      // surfaces passed since the last vertex because they are open there
-  float coneWidth;  // as in WhittedBranch
+  Ray ray;           // to the next vertex
+  uint alive;        // 1: it is to be traced
+  Spectrum beta;     // what its radiance counts in the pixel
+  Spectrum L;        // radiance gathered so far
+  float etaScale;    // η² of the refractions so far, which Russian roulette does not see
+  uint depth;        // of the next vertex; 1 is what the camera sees
+  uint scatterings;  // in media so far
+  uint passes;       // surfaces passed since the last vertex because they are open there
+  float coneWidth;   // as in WhittedBranch
   MediumStack media;
+  uint walk;            // the body below whose surface the path wanders, or None
+  Spectrum walkAlbedo;  // of a scattering there
   // For the chance that the light at the next vertex is sampled from the last one, too
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been
   vec3 lastPoint;

@@ -24,8 +24,22 @@ struct PathVertex {
   vec3 z;
   vec3 woLocal;
   Bsdf bsdf;
+  uint object;
   MediumStack behind;
 };
+
+// The vertex at a distance along the ray.
+FN PathVertex VertexInMedium(IN(Ray) ray, float distance, float g, IN(MediumStack) media) {
+  PathVertex v;
+  v.p = ray.o + ray.d * distance;
+  v.pError = vec3(0.0f, 0.0f, 0.0f);
+  v.wo = -ray.d;
+  v.before = media;
+  v.inMedium = 1u;
+  v.g = g;
+  v.n = vec3(0.0f, 0.0f, 0.0f);
+  return v;
+}
 
 // What is scattered from wi to wo, with the cosine if there is one, and the density of sampling wi there.
 FN Spectrum EvalVertex(IN(PathVertex) v, vec3 wi, OUT(float) pdf) {

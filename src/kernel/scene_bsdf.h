@@ -97,13 +97,23 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.transmissionScale = tint * (transmission * clear);
   float below = (1.0f - metalness) * (1.0f - transmission) *
                 Clamp(1.0f - again * reflected * MaxChannel(specularColor), 0.0f, 1.0f);
-  Spectrum diffuse = base * below;
+  float subsurface = Clamp(ShownScalar(physical.subsurface, shown, ROLE_SUBSURFACE), 0.0f, 1.0f);
+  Spectrum diffuse = base * (below * (1.0f - subsurface));
+  b.subsurface = one * (below * subsurface);
+  b.subsurfaceColor = physical.subsurfaceColor * ShownColor(shown, ROLE_SUBSURFACE_COLOR);
   b.diffuseRoughness = physical.diffuseRoughness;
   b.diffuseTransmission = base * 0.0f;
   if (physical.diffuseTransmission > 0.0f) {
-    b.diffuseTransmission =
-        physical.diffuseTransmissionColor * (below * physical.diffuseTransmission);
+    b.diffuseTransmission = physical.diffuseTransmissionColor *
+                            (below * (1.0f - subsurface) * physical.diffuseTransmission);
     diffuse = diffuse * (1.0f - physical.diffuseTransmission);
+  }
+  if (material.thin == 1u && subsurface > 0.0f) {
+    // What wanders in a sheet comes out on both sides
+    Spectrum spread = b.subsurface * b.subsurfaceColor * 0.5f;
+    diffuse += spread * (1.0f - physical.subsurfaceAnisotropy);
+    b.diffuseTransmission += spread * (1.0f + physical.subsurfaceAnisotropy);
+    b.subsurface = one * 0.0f;
   }
 
   // The coat's reflection is missing below it, and what is reflected at its inside darkens the base
@@ -113,7 +123,8 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   if (b.coat > 0.0f) {
     coatReflected = DielectricAlbedoIn(REFLECTED_ALBEDO, b.coatEta, coatRoughness, cosine) * b.coat;
     b.underCoat = one * (1.0f - coatReflected);
-    Spectrum baseAlbedo = Lerp(metalness, diffuse + one * reflected, b.metalF0);
+    Spectrum baseAlbedo =
+        Lerp(metalness, diffuse + b.subsurface * b.subsurfaceColor + one * reflected, b.metalF0);
     float rough = 1.0f - (1.0f - FrAverage(b.coatEta)) / Sqr(b.coatEta);
     float even = FrOfEta(cosine, b.coatEta);
     float baseRoughness = Lerp(metalness, Lerp(specularWeight, 1.0f, roughness), roughness);
@@ -147,13 +158,16 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.pickBase = Max(b.pickBase, b.pickCoat + MaxChannel(b.diffuse) > 0.0f ? 0.0f : 1e-3f);
   b.pickDiffuse = passed * MeanChannel(b.diffuse);
   b.pickDiffuseTransmission = passed * MeanChannel(b.diffuseTransmission);
+  b.pickSubsurface = passed * MaxChannel(b.subsurface * b.subsurfaceColor);
   b.pickFuzz = fuzzReflected;
-  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission + b.pickFuzz;
+  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
+              b.pickSubsurface + b.pickFuzz;
   float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
   b.pickCoat *= scale;
   b.pickBase *= scale;
   b.pickDiffuse *= scale;
   b.pickDiffuseTransmission *= scale;
+  b.pickSubsurface *= scale;
   b.pickFuzz *= scale;
   return b;
 }

@@ -194,7 +194,9 @@ CONST uint ROLE_COAT_ROUGHNESS = 12u;
 CONST uint ROLE_FUZZ_WEIGHT = 13u;
 CONST uint ROLE_FUZZ_COLOR = 14u;
 CONST uint ROLE_FUZZ_ROUGHNESS = 15u;
-CONST uint RoleCount = 16u;
+CONST uint ROLE_SUBSURFACE = 16u;
+CONST uint ROLE_SUBSURFACE_COLOR = 17u;
+CONST uint RoleCount = 18u;
 
 // A physical (OpenPBR) material. The classic integrator shows a part of it (physical.h).
 struct Physical {
@@ -219,8 +221,20 @@ struct Physical {
   float diffuseTransmission;
   Spectrum diffuseTransmissionColor;
   Spectrum metalColor;
+  ScalarSource subsurface;
+  Spectrum subsurfaceColor;
+  Spectrum subsurfaceExtinction;  // per metre
+  float subsurfaceAnisotropy;
   uint tintByBase;   // 1: the base's colour tints what is transmitted
   uint metalByBase;  // 1: the base colour's texture multiplies the metal's, too
+};
+
+// What fills a space evenly. Absorbs what extinction has more than scattering.
+struct Medium {
+  Spectrum extinction;  // per metre
+  Spectrum scattering;  // per metre
+  Spectrum emission;    // W/(sr·m³)
+  float anisotropy;     // the mean cosine of the angle of deflection
 };
 
 CONST uint ALPHA_OPAQUE = 0u;
@@ -235,7 +249,8 @@ struct Material {
   uint thin;        // 1: a sheet without inside
   int priority;     // of the inside where objects overlap; the higher wins
   float ior;
-  Spectrum absorption;  // per metre, inside
+  Medium inside;
+  uint container;  // 1: a boundary that is not seen, around a medium
   Spectrum emission;
   Spectrum reflectivity;
   Spectrum transparency;
@@ -375,6 +390,8 @@ struct RenderParams {
   uint lightSampling;     // how the path tracer chooses among the tree's sources
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
+  uint maxVolumeDepth;    // scatterings in media along a path
+  Medium surroundings;    // around all objects; only the path tracer shows it
   float minContribution;  // branches that can add less than this are cut
   uint seed;
   uint independentSamples;  // 1: the path tracer takes random numbers in place of a sequence

@@ -10,6 +10,7 @@
 #include "kernel/camera.h"
 #include "kernel/classic.h"
 #include "kernel/environment.h"
+#include "kernel/flight.h"
 #include "kernel/fresnel.h"
 #include "kernel/image.h"
 #include "kernel/interface.h"
@@ -25,6 +26,7 @@
 #include "kernel/sampling.h"
 #include "kernel/shape.h"
 #include "kernel/sobol.h"
+#include "kernel/subsurface.h"
 #include "kernel/triangle.h"
 #include "kernel/whitted_state.h"
 

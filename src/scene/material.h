@@ -107,6 +107,17 @@ struct Displacement {
   bool operator==(const Displacement&) const = default;
 };
 
+// --- Media ----------------------------------------------------------------------------------------------
+
+// What fills a space evenly and absorbs and scatters light.
+struct Medium {
+  Spectrum absorption{0.0f};  // per metre, as the next
+  Spectrum scattering{0.0f};
+  float density = 1;        // multiplies both, and the glow
+  float anisotropy = 0;     // the mean cosine of the angle of deflection, in (−1, 1)
+  Spectrum emission{0.0f};  // W/(sr·m³)
+};
+
 // --- The classic material -------------------------------------------------------------------------------
 
 enum class TermKind { Ambient, Diffuse, Phong, Blinn };
@@ -154,6 +165,7 @@ struct OpenPbr {
   ColorInput subsurfaceColor{Spectrum(0.8f)};
   float subsurfaceRadius = 1;  // metres
   Spectrum subsurfaceRadiusScale{1.0f, 0.5f, 0.25f};
+  float subsurfaceScatterAnisotropy = 0;
 
   ScalarInput coatWeight{0};
   ColorInput coatColor{Spectrum(1.0f)};
@@ -192,6 +204,7 @@ struct Material {
   int priority = 0;  // where insides overlap, the higher one fills the space
 
   std::optional<OpenPbr> physical;
+  std::optional<Medium> volume;  // a boundary that is not seen, around this
 
   // Of both kinds
   ReliefMap normalMap;
@@ -203,9 +216,11 @@ struct Material {
   bool doubleSided = true;                  // false: backs are holes
 
   bool Refractive() const {
+    if (volume) return true;
     if (physical)
       return physical->transmissionWeight.value > 0 ||
-             physical->diffuseTransmissionWeight.value > 0;
+             physical->diffuseTransmissionWeight.value > 0 ||
+             (thin && physical->subsurfaceWeight.value > 0);
     return transparency.texture >= 0 || transparency.value != Spectrum(0.0f);
   }
 };

@@ -204,6 +204,7 @@ struct Environment {
   int sun = -1;             // the light that is the sun of a sky; -1: none
   bool visible = true;      // to the camera; mirrors show it in any case
   bool ambient = false;     // its mean is ambient light to the classic integrator
+  Medium medium;  // around all objects
 };
 
 enum class Integrator { Whitted, Path };
@@ -219,6 +220,7 @@ struct RenderSettings {
   int spp = 16;  // samples per pixel
   Integrator integrator = Integrator::Whitted;
   int maxDepth = 16;               // 1: rays from the camera only
+  int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   Sampler sampler = Sampler::Sobol;
   PixelFilter filter = PixelFilter::BlackmanHarris;

@@ -47,6 +47,7 @@ class Checker {
             "the environment's map needs a finite strength and rotation");
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
+    CheckMedium(scene_.environment.medium, "the surroundings' medium");
     for (const Light& light : scene_.lights) CheckLight(light);
     for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
@@ -61,6 +62,7 @@ class Checker {
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
     Require(s.spp > 0, "the samples per pixel must be at least 1");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
+    Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
     Require(Finite(s.filterRadius) && s.filterRadius >= 0,
@@ -196,6 +198,7 @@ class Checker {
       return fmt::format("material '{}': {}", material.name, what);
     };
     CheckMaps(material, of("a map"));
+    if (material.volume) CheckMedium(*material.volume, of("the medium"));
     if (material.physical) return CheckPhysical(*material.physical, of("the physical material"));
     CheckColor(material.emission, false, of("the emission"));
     CheckColor(material.reflectivity, true, of("the reflectivity"));
@@ -237,6 +240,14 @@ class Checker {
            target.length >= 0;
   }
 
+  void CheckMedium(const Medium& m, const std::string& what) {
+    Require(NonNegative(m.absorption) && NonNegative(m.scattering) && NonNegative(m.emission) &&
+                Finite(m.density) && m.density >= 0,
+            fmt::format("{} needs finite coefficients that are not negative", what));
+    Require(Finite(m.anisotropy) && std::abs(m.anisotropy) < 1,
+            fmt::format("{} needs an anisotropy between -1 and 1", what));
+  }
+
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
     for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
                                     &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
@@ -252,7 +263,10 @@ class Checker {
     Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
             fmt::format("{} needs positive indices of refraction", what));
     Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
-                NonNegative(m.transmissionColor) && Finite(m.baseWeight) && m.baseWeight >= 0,
+                NonNegative(m.transmissionColor) && NonNegative(m.transmissionScatter) &&
+                Finite(m.transmissionScatterAnisotropy) && Positive(m.subsurfaceRadius) &&
+                NonNegative(m.subsurfaceRadiusScale) && Finite(m.subsurfaceScatterAnisotropy) &&
+                Finite(m.baseWeight) && m.baseWeight >= 0,
             fmt::format("{} needs finite numbers that are not negative", what));
   }
 

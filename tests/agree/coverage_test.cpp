@@ -108,11 +108,23 @@ TEST(Coverage, Materials) {
   EXPECT_EQ(Values(materials, &Material::thin), TagsTo(1));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
-  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.absorption.x > 0; }));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.extinction.x > 0; }));
   for (const uint role : {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY,
                           ROLE_NORMAL, ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS})
     EXPECT_TRUE(
         any_of(materials, [&](const Material& m) { return m.textures[role] != kernel::None; }));
+}
+
+TEST(Coverage, Media) {
+  const auto materials = Every(&FlatScene::materials);
+  EXPECT_EQ(Values(materials, &Material::container), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.scattering.x > 0; }));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.emission.x > 0; }));
+  EXPECT_TRUE(any_of(Every(&FlatScene::physicals),
+                     [](const Physical& p) { return p.subsurface.value > 0; }));
+  EXPECT_TRUE(any_of(FlatScenes(), [](const FlatScene& flat) {
+    return flat.params.surroundings.scattering.x > 0;
+  }));
 }
 
 TEST(Coverage, PhysicalMaterialsAndMaps) {

@@ -38,6 +38,7 @@ SNELL_GLSL_NAME(Camera)
 SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(ScalarSource)
 SNELL_GLSL_NAME(Environment)
+SNELL_GLSL_NAME(Medium)
 SNELL_GLSL_NAME(Transform)
 #undef SNELL_GLSL_NAME
 template <>
@@ -48,7 +49,7 @@ const char* NameInGlsl<float[FilterQuantileCount]>() {
 
 template <>
 const char* NameInGlsl<uint[RoleCount]>() {
-  return "uint[16]";
+  return "uint[18]";
 }
 
 struct Record {
@@ -124,8 +125,16 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Physical, diffuseTransmission),
          MEMBER(Physical, diffuseTransmissionColor),
          MEMBER(Physical, metalColor),
+         MEMBER(Physical, subsurface),
+         MEMBER(Physical, subsurfaceColor),
+         MEMBER(Physical, subsurfaceExtinction),
+         MEMBER(Physical, subsurfaceAnisotropy),
          MEMBER(Physical, tintByBase),
          MEMBER(Physical, metalByBase)}}},
+      {"Medium",
+       {sizeof(Medium),
+        {MEMBER(Medium, extinction), MEMBER(Medium, scattering), MEMBER(Medium, emission),
+         MEMBER(Medium, anisotropy)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
@@ -134,14 +143,15 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
                            MEMBER(Material, reflection),   MEMBER(Material, refractive),
                            MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, absorption),
-                           MEMBER(Material, emission),     MEMBER(Material, reflectivity),
-                           MEMBER(Material, transparency), MEMBER(Material, physical),
-                           MEMBER(Material, closure),      MEMBER(Material, textured),
-                           MEMBER(Material, textures),     MEMBER(Material, singleSided),
-                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
-                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
-                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
+                           MEMBER(Material, ior),          MEMBER(Material, inside),
+                           MEMBER(Material, container),    MEMBER(Material, emission),
+                           MEMBER(Material, reflectivity), MEMBER(Material, transparency),
+                           MEMBER(Material, physical),     MEMBER(Material, closure),
+                           MEMBER(Material, textured),     MEMBER(Material, textures),
+                           MEMBER(Material, singleSided),  MEMBER(Material, alphaMode),
+                           MEMBER(Material, opacity),      MEMBER(Material, alphaCutoff),
+                           MEMBER(Material, normalScale),  MEMBER(Material, bumpMap),
+                           MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
         {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
@@ -180,7 +190,8 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, lightNodeCount), MEMBER(RenderParams, firstDirectional),
          MEMBER(RenderParams, lightSampling), MEMBER(RenderParams, tintedShadows),
-         MEMBER(RenderParams, maxDepth), MEMBER(RenderParams, minContribution),
+         MEMBER(RenderParams, maxDepth), MEMBER(RenderParams, maxVolumeDepth),
+         MEMBER(RenderParams, surroundings), MEMBER(RenderParams, minContribution),
          MEMBER(RenderParams, seed), MEMBER(RenderParams, independentSamples),
          MEMBER(RenderParams, samplesLog2), MEMBER(RenderParams, coneWidth),
          MEMBER(RenderParams, coneSpread), MEMBER(RenderParams, filterQuantiles)}}},

@@ -130,10 +130,15 @@ class SceneReader {
     std::set<std::string> warned;
     for (const scene::Object& object : reader_.scene.objects) {
       const scene::Material& material = reader_.scene.materials[std::size_t(object.material)];
-      if (!material.Refractive() || material.thin || !IsSheet(object.geometry)) continue;
+      const bool wanders = material.physical && material.physical->subsurfaceWeight.value > 0;
+      if (!(material.Refractive() || wanders) || material.thin || !IsSheet(object.geometry))
+        continue;
       if (!warned.insert(ToString(object.place)).second) continue;
-      reader_.Warn(fmt::format("the material {} refracts, but this object has no inside",
-                               QuotedName(material.name)),
+      reader_.Warn(fmt::format("the material {} {}, but this object has no inside",
+                               QuotedName(material.name),
+                               wanders           ? "lets light wander below the surface"
+                               : material.volume ? "is a volume"
+                                                 : "refracts"),
                    object.place, "set 'thin = true' in the material, or use a closed shape");
     }
   }

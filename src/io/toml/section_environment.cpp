@@ -152,6 +152,13 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
   const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
                          "Index of refraction of the space around the objects.")
                        .Not({"index", "refractive_index", "index_of_refraction"});
+  const auto medium =
+      Field("medium", &Environment::medium, TableOf(MediumSection, "a table of a medium"),
+            "What fills the space around the objects without end, such as fog; only the path "
+            "tracer shows it.")
+          .Standard("nothing")
+          .Example("{ scattering = 0.05, absorption = 0.01 }")
+          .Not({"fog", "volume", "atmosphere"});
   static const SectionOf<EnvironmentDraft> section =
       SectionOf<EnvironmentDraft>(
           "environment", "[environment]",
@@ -161,7 +168,7 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
           Join<EnvironmentDraft>({{color},
                                   Within(&EnvironmentDraft::environment, GradientKeys()),
                                   SourceKeys(),
-                                  Within(&EnvironmentDraft::environment, {ior})}))
+                                  Within(&EnvironmentDraft::environment, {ior, medium})}))
           .OnlyOne(
               {{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}, {"map"}, {"sky"}})
           .Checked(CheckEnvironment);

@@ -10,8 +10,7 @@ using scene::OpenPbr;
 using scene::ReliefMap;
 using scene::ScalarInput;
 
-// A weight or a roughness.
-static Type<ScalarInput> Share() {
+Type<ScalarInput> Share() {
   Type<ScalarInput> type;
   const Type<float> number = Number({0, 1});
   type.expected = number.expected;
@@ -66,25 +65,27 @@ VariantOf<MaterialDraft> PhysicalMaterial() {
              "openpbr",
              "Physical, by the names of OpenPBR Surface; `ior` and `emission` count as its own.",
              Within(&MaterialDraft::physical,
-                    {color("base_color", &OpenPbr::baseColor, "Of the base, matt or metal.")
-                         .Not({"color", "diffuse", "albedo"}),
-                     share("base_metalness", &OpenPbr::baseMetalness, "0 dielectric, 1 metal.")
-                         .Not({"metalness", "metallic"}),
-                     share("specular_weight", &OpenPbr::specularWeight, "Of the reflection."),
-                     color("specular_color", &OpenPbr::specularColor, "Of the reflection."),
-                     share("specular_roughness", &OpenPbr::specularRoughness,
-                           "0 mirrors, 1 scatters widely.")
-                         .Not({"roughness"}),
-                     share("transmission_weight", &OpenPbr::transmissionWeight,
-                           "How much of the base is clear.")
-                         .Not({"transmission", "transparency"}),
-                     share("coat_weight", &OpenPbr::coatWeight, "Of the clear coat.")
-                         .Not({"coat", "clearcoat"}),
-                     share("coat_roughness", &OpenPbr::coatRoughness, "Of the clear coat."),
-                     share("fuzz_weight", &OpenPbr::fuzzWeight, "Of the fuzz, as on velvet.")
-                         .Not({"fuzz", "sheen"}),
-                     color("fuzz_color", &OpenPbr::fuzzColor, "Of the fuzz."),
-                     share("fuzz_roughness", &OpenPbr::fuzzRoughness, "Of the fuzz.")}))
+                    Join<OpenPbr>(
+                        {InteriorKeys(),
+                         {color("base_color", &OpenPbr::baseColor, "Of the base, matt or metal.")
+                              .Not({"color", "diffuse", "albedo"}),
+                          share("base_metalness", &OpenPbr::baseMetalness, "0 dielectric, 1 metal.")
+                              .Not({"metalness", "metallic"}),
+                          share("specular_weight", &OpenPbr::specularWeight, "Of the reflection."),
+                          color("specular_color", &OpenPbr::specularColor, "Of the reflection."),
+                          share("specular_roughness", &OpenPbr::specularRoughness,
+                                "0 mirrors, 1 scatters widely.")
+                              .Not({"roughness"}),
+                          share("transmission_weight", &OpenPbr::transmissionWeight,
+                                "How much of the base is clear.")
+                              .Not({"transmission", "transparency"}),
+                          share("coat_weight", &OpenPbr::coatWeight, "Of the clear coat.")
+                              .Not({"coat", "clearcoat"}),
+                          share("coat_roughness", &OpenPbr::coatRoughness, "Of the clear coat."),
+                          share("fuzz_weight", &OpenPbr::fuzzWeight, "Of the fuzz, as on velvet.")
+                              .Not({"fuzz", "sheen"}),
+                          color("fuzz_color", &OpenPbr::fuzzColor, "Of the fuzz."),
+                          share("fuzz_roughness", &OpenPbr::fuzzRoughness, "Of the fuzz.")}})))
       .Checked(FinishPhysical);
 }
 

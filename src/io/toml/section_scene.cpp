@@ -31,6 +31,9 @@ static Keys<RenderSettings> SamplingKeys() {
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
+      Field("max_volume_depth", &RenderSettings::maxVolumeDepth, Integer(0, 1000000),
+            "How often a path may be scattered within media and below surfaces.")
+          .Not({"volume_bounces", "volume_depth"}),
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
@@ -158,7 +161,7 @@ const std::vector<const Section*>& AllSections() {
       &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
       &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
       &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
-      &TermSection(),     &TextureSection(),       &TintSection()};
+      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection()};
   return sections;
 }
 

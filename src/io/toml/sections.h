@@ -88,6 +88,7 @@ struct MaterialDraft {
   float shininess = 32;
   bool normalized = false;
   scene::OpenPbr physical;
+  scene::Medium volume;
 };
 
 const SectionOf<TextureDraft>& TextureSection();
@@ -118,6 +119,15 @@ struct Preset {
   const char* toml;
 };
 const std::vector<Preset>& Presets();
+
+// --- Media (toml_section_medium.cpp) ------------------------------------------------------------------------
+
+const SectionOf<scene::Medium>& MediumSection();
+VariantOf<MaterialDraft> VolumeMaterial();
+// A weight or a roughness, in [0, 1] (toml_section_physical.cpp).
+Type<scene::ScalarInput> Share();
+// What physical materials have inside.
+Keys<scene::OpenPbr> InteriorKeys();
 
 // --- Finer meshes (toml_section_detail.cpp) -----------------------------------------------------------------
 
