@@ -45,8 +45,10 @@ struct Kernel {
 
 #include "kernel/path.h"
 #include "kernel/path_light.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
+#include "kernel/scene_frame.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"

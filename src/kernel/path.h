@@ -24,6 +24,8 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.beta = Spectrum(1.0f, 1.0f, 1.0f);
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
   s.etaScale = 1.0f;
+  s.monochrome = 0u;
+  s.wavelength = 0.0f;
   s.depth = 1u;
   s.passes = 0u;
   s.coneWidth = params.coneWidth;
@@ -32,13 +34,6 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.lastPoint = s.ray.o;
   s.lightSum = 0.0f;
   s.alive = 1u;
-}
-
-// A unit normal that wo sees from above.
-SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
-  float cosine = Dot(ns, wo);
-  if (cosine > 1e-3f) return ns;
-  return Normalize(ns + wo * (2e-3f - cosine));
 }
 
 // Follow the ray to the next vertex, gather light there, and find the way on.
@@ -98,7 +93,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   // Find what lies behind a refractive boundary
   bool hasInside = material.refractive == 1u && material.thin == 0u;
   MediumStack mediaBehind = media;
-  float eta = material.ior / MediumIor(inside);
+  bool chooses = hasInside && material.dispersion > 0.0f && s.monochrome == 0u;
+  if (chooses) ChooseWavelength(s);
+  float nearIor = MediumIor(inside, s.wavelength);
+  float eta = material.ior / nearIor;
   if (hasInside) {
     mediaBehind =
         Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
@@ -113,9 +111,9 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       s.alive = 1u;
       return;
     }
-    eta = MediumIor(behind) / MediumIor(inside);
+    eta = MediumIor(behind, s.wavelength) / nearIor;
   }
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
+  Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
     float weight = 1.0f;
     if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
@@ -127,18 +125,20 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
   // Set up the surface's scattering in the frame of its shading normal
+  vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
   vec3 z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  vec3 x = it.tangent - z * Dot(it.tangent, z);
+  vec3 x;
   vec3 y;
-  if (LengthSquared(x) > 1e-12f * LengthSquared(it.tangent)) {
-    x = Normalize(x);
-    y = Cross(z, x);
-  } else {
-    CoordinateSystem(z, x, y);
-  }
+  ScatteringFrame(material, shown, it, z, x, y);
   vec3 woLocal = vec3(Dot(wo, x), Dot(wo, y), Dot(wo, z));
-  Bsdf bsdf = BsdfAt(material, shown, it.color, eta, woLocal.z);
+  BsdfView view;
+  view.wo = woLocal;
+  view.coatNormal = vec3(Dot(coatNormal, x), Dot(coatNormal, y), Dot(coatNormal, z));
+  view.eta = eta;
+  view.nearIor = nearIor;
+  view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
+  Bsdf bsdf = BsdfAt(material, shown, it.color, view);
 
   // Gather the light of one source, then choose the way on
   float lightSum;

@@ -95,8 +95,8 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceIn
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
   source.footprint = params.coneSpread * distance;
   RoleTexels shown = TexelsAt(material, source);
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
-                OpacityOf(material, shown, source.alpha);
+  Spectrum Le =
+      EmissionAt(material, shown, Dot(source.ns, ray.d)) * OpacityOf(material, shown, source.alpha);
   float pdf;
   Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
   if (IsBlack(f * Le)) return none;

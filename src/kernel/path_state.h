@@ -14,14 +14,16 @@ CONST uint RouletteDepth = 4u;
 CONST uint MaxPasses = 1024u;
 
 struct PathState {
-  Ray ray;          // to the next vertex
-  uint alive;       // 1: it is to be traced
-  Spectrum beta;    // what its radiance counts in the pixel
-  Spectrum L;       // radiance gathered so far
-  float etaScale;   // η² of the refractions so far, which Russian roulette does not see
-  uint depth;       // of the next vertex; 1 is what the camera sees
-  uint passes;      // surfaces passed since the last vertex because they are open there
-  float coneWidth;  // as in WhittedBranch
+  Ray ray;           // to the next vertex
+  uint alive;        // 1: it is to be traced
+  Spectrum beta;     // what its radiance counts in the pixel
+  Spectrum L;        // radiance gathered so far
+  float etaScale;    // η² of the refractions so far, which Russian roulette does not see
+  uint monochrome;   // 1: the path has one wavelength
+  float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all
+  uint depth;        // of the next vertex; 1 is what the camera sees
+  uint passes;       // surfaces passed since the last vertex because they are open there
+  float coneWidth;   // as in WhittedBranch
   MediumStack media;
   // For the chance that the light at the next vertex is sampled from the last one, too
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been

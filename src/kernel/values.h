@@ -22,6 +22,7 @@
 #include "kernel/sampling.h"
 #include "kernel/shape.h"
 #include "kernel/sobol.h"
+#include "kernel/thin_film.h"
 #include "kernel/triangle.h"
 #include "kernel/whitted_state.h"
 

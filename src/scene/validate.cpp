@@ -207,8 +207,9 @@ class Checker {
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
-    for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
-                                    &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+    for (const ColorInput* color :
+         {&m.baseColor, &m.specularColor, &m.transmissionColor, &m.diffuseTransmissionColor,
+          &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
       CheckColor(*color, false, what);
     for (const ScalarInput* input :
          {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
@@ -216,12 +217,16 @@ class Checker {
           &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight,
           &m.thinFilmThickness})
       Require(Sound(*input), fmt::format("{} has a weight that is not sound", what));
-    Require(IsTexture(m.anisotropyDirection) && IsTexture(m.coatNormal.texture),
+    Require(IsTexture(m.coatNormal.texture),
             fmt::format("{} refers to a texture that does not exist", what));
     Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
             fmt::format("{} needs positive indices of refraction", what));
-    Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
-                NonNegative(m.transmissionColor) && Finite(m.baseWeight) && m.baseWeight >= 0,
+    Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 && Finite(m.baseWeight) &&
+                m.baseWeight >= 0 && Finite(m.thinFilmThicknessLeast) &&
+                m.thinFilmThicknessLeast >= 0 && Finite(m.transmissionDispersionScale) &&
+                m.transmissionDispersionScale >= 0 && Finite(m.transmissionDispersionAbbeNumber) &&
+                m.transmissionDispersionAbbeNumber >= 0 && Finite(m.coatRoughnessAnisotropy) &&
+                Finite(m.anisotropyRotation),
             fmt::format("{} needs finite numbers that are not negative", what));
   }
 

@@ -48,7 +48,7 @@ const char* NameInGlsl<float[FilterQuantileCount]>() {
 
 template <>
 const char* NameInGlsl<uint[RoleCount]>() {
-  return "uint[16]";
+  return "uint[24]";
 }
 
 struct Record {
@@ -119,8 +119,17 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Physical, fuzzRoughness),
          MEMBER(Physical, diffuseRoughness),
          MEMBER(Physical, anisotropy),
+         MEMBER(Physical, anisotropyModel),
+         MEMBER(Physical, anisotropyMapped),
+         MEMBER(Physical, anisotropyAxis),
          MEMBER(Physical, coatColor),
          MEMBER(Physical, coatDarkening),
+         MEMBER(Physical, coatAnisotropy),
+         MEMBER(Physical, coatNormalScale),
+         MEMBER(Physical, filmWeight),
+         MEMBER(Physical, filmThickness),
+         MEMBER(Physical, filmThicknessLeast),
+         MEMBER(Physical, filmIor),
          MEMBER(Physical, diffuseTransmission),
          MEMBER(Physical, diffuseTransmissionColor),
          MEMBER(Physical, metalColor),
@@ -134,7 +143,7 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
                            MEMBER(Material, reflection),   MEMBER(Material, refractive),
                            MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, absorption),
+                           MEMBER(Material, ior), MEMBER(Material, dispersion),          MEMBER(Material, absorption),
                            MEMBER(Material, emission),     MEMBER(Material, reflectivity),
                            MEMBER(Material, transparency), MEMBER(Material, physical),
                            MEMBER(Material, closure),      MEMBER(Material, textured),

@@ -112,7 +112,7 @@ scene::Scene PhysicalMaterials() {
   materials[4] = Physical({0.9f, 1.0f, 0.95f}, 0, 0);
   materials[4].physical->transmissionWeight.value = 1;
   materials[4].physical->transmissionDepth = 0.5f;
-  materials[4].physical->transmissionColor = {0.3f, 0.8f, 0.5f};
+  materials[4].physical->transmissionColor.value = {0.3f, 0.8f, 0.5f};
   materials[5].physical->specularWeight.value = 0;
   materials[5].physical->emission.value = {0.1f, 0.2f, 0.3f};
   materials[6] = Physical({1, 1, 1}, 0, 0.1f);

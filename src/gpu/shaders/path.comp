@@ -19,7 +19,9 @@
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_frame.h"
 #include "kernel/path_light.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/path.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -271,7 +271,7 @@ const std::vector<const Section*>& AllSections() {
       &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
       &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
       &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &TextureSection(),       &TintSection()};
+      &TextureSection(),       &TintSection(), &ChannelSection()};
   return sections;
 }
 

@@ -87,18 +87,28 @@ struct MaterialDraft {
   float shininess = 32;
   bool normalized = false;
   scene::OpenPbr physical;
+  // Of physical ones
+  std::string metal;
+  std::string glass;
+  float emissionLuminance = 0;  // cd/m²
+  ColorInput emissionColor{Spectrum(1.0f)};
 };
 
 const SectionOf<TextureDraft>& TextureSection();
 const SectionOf<Tint>& TintSection();
+const SectionOf<scene::ScalarInput>& ChannelSection();
 const SectionOf<scene::Term>& TermSection();
 const SectionOf<MaterialDraft>& MaterialSection();
 
 // The name of a texture, for keys that take nothing else.
 Type<scene::TextureIndex> TextureName();
-// The keys of normal and bump maps, and the types of materials that are physical (toml_section_physical.cpp).
+// A number, a texture's name, or { texture, channel, factor } (scalar.cpp).
+Type<scene::ScalarInput> NumberOrTexture(Range range, const std::string& unit = "");
+// The keys of normal and bump maps, and the types of materials that are physical (section_physical.cpp).
 Keys<MaterialDraft> MapKeys();
 VariantOf<MaterialDraft> PhysicalMaterial();
+VariantOf<MaterialDraft> MetalByName();
+VariantOf<MaterialDraft> GlassByName();
 
 // The texture of a name: a defined one or the built-in of that kind.
 bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture);
