@@ -127,27 +127,34 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   // Set up the surface's scattering in the frame of its shading normal
   vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
-  vec3 z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  vec3 x;
-  vec3 y;
-  ScatteringFrame(material, shown, it, z, x, y);
-  vec3 woLocal = vec3(Dot(wo, x), Dot(wo, y), Dot(wo, z));
+  PathVertex v;
+  v.p = it.p;
+  v.pError = it.pError;
+  v.wo = wo;
+  v.before = media;
+  v.behind = mediaBehind;
+  v.inMedium = 0u;
+  v.g = 0.0f;
+  v.n = n;
+  v.z = NormalSeenFrom(FaceForward(it.ns, n), wo);
+  ScatteringFrame(material, shown, it, v.z, v.x, v.y);
+  v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
   BsdfView view;
-  view.wo = woLocal;
-  view.coatNormal = vec3(Dot(coatNormal, x), Dot(coatNormal, y), Dot(coatNormal, z));
+  view.wo = v.woLocal;
+  view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
   view.eta = eta;
   view.nearIor = nearIor;
   view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
-  Bsdf bsdf = BsdfAt(material, shown, it.color, view);
+  v.bsdf = BsdfAt(material, shown, it.color, view);
 
   // Gather the light of one source, then choose the way on
   float lightSum;
-  Spectrum sampled = SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, lightSum);
+  Spectrum sampled = SampledLight(s, v, lightSum);
   s.L += s.beta * sampled;
   vec2 lobe = PathSample2D(s);
-  BsdfSample next = SampleBsdf(bsdf, woLocal, lobe.x, PathSample2D(s));
+  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
   if (next.pdf <= 0.0f) return;
-  vec3 wi = x * next.wi.x + y * next.wi.y + z * next.wi.z;
+  vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
   if ((Dot(wi, n) < 0.0f) != (next.transmitted == 1u)) return;
   s.beta = s.beta * next.weight;
   if (next.transmitted == 1u && material.thin == 0u && hasInside) s.etaScale *= eta * eta;
