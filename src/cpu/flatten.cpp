@@ -8,11 +8,13 @@
 
 #include "bvh/bounds.h"
 #include "cpu/albedo_tables.h"
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_emitters.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
+#include "scene/settings.h"
 
 namespace snell::cpu {
 
@@ -76,7 +78,8 @@ static Environment FlattenEnvironment(const scene::Environment& environment) {
 // What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
 // detail need not smooth again (pbrt-v4, section 10.1.2).
 static void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
-  const float share = std::max(0.125f, 1 / std::sqrt(float(std::max(settings.spp, 1))));
+  const int spp = settings.spp > 0 ? settings.spp : scene::WhittedSamples;
+  const float share = std::max(0.125f, 1 / std::sqrt(float(spp)));
   const float pixel = 2 * params.camera.extent.y / float(params.camera.resolution.y) * share;
   const bool isPinhole = params.camera.kind == CAMERA_PINHOLE;
   params.coneWidth = isPinhole ? 0 : pixel;
@@ -115,9 +118,12 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  flat.integrator = settings.integrator;
-  const bool isPath = settings.integrator == scene::Integrator::Path;
-  if (isPath) flat.albedos = AlbedoTables();
+  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
+  const bool isPath = flat.integrator == scene::Integrator::Path;
+  if (isPath) {
+    flat.albedos = AlbedoTables();
+    FlattenClosureTextures(scene, flat);
+  }
   FlattenObjects(scene, finer,
                  isPath                   ? ShadowRays::Path
                  : settings.tintedShadows ? ShadowRays::Tinted

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_texture.h"
 #include "kernel/math.h"
@@ -210,50 +211,6 @@ static Physical FlattenPhysical(const scene::OpenPbr& from) {
   return physical;
 }
 
-// What the path tracer takes a classic material for: its diffuse terms together are the base's albedo, its strongest
-// specular term tells the roughness, its reflectivity is that of a smooth metal, its transparency is transmission.
-static Physical PhysicalOf(const scene::Material& classic) {
-  Physical physical = {};
-  physical.coatIor = 1.5f;
-  physical.coatColor = physical.fuzzColor = physical.specularColor = Spectrum(1.0f);
-  physical.anisotropyAxis = AxisOf(0);
-  physical.filmIor = 1;
-  physical.roughness.value = 1;
-  for (const scene::Term& term : classic.terms) {
-    if (term.kind == scene::TermKind::Diffuse) physical.baseColor += term.color.value;
-    if (term.kind != scene::TermKind::Phong && term.kind != scene::TermKind::Blinn) continue;
-    // The widths at which the lobes' falls from their peaks agree
-    const float exponent = term.kind == scene::TermKind::Phong ? 4 * term.exponent : term.exponent;
-    physical.roughness.value =
-        std::min(physical.roughness.value, std::pow(2 / (exponent + 2), 0.25f));
-    physical.specularWeight.value = 1;
-  }
-  const float mirror = MaxChannel(classic.reflectivity.value);
-  const float clear = MaxChannel(classic.transparency.value);
-  if (mirror > 0) {
-    const bool isSchlick = classic.reflection == scene::ReflectionModel::Schlick;
-    if (classic.reflection == scene::ReflectionModel::Fresnel || (isSchlick && mirror < 0.5f)) {
-      // A clear layer, for Schlick one of the index that gives the reflectance
-      const float normal = Sqr((classic.ior - 1) / (classic.ior + 1));
-      physical.specularWeight.value = isSchlick && normal > 0 ? mirror / normal : mirror;
-      physical.specularColor = classic.reflectivity.value / mirror;
-    } else {
-      physical.metalness.value = isSchlick ? 1.0f : std::min(mirror, 1.0f);
-      physical.metalColor = classic.reflectivity.value / (isSchlick ? 1.0f : mirror);
-      physical.specularWeight.value = 1;
-    }
-  }
-  if (clear > 0) {
-    physical.transmission.value = std::min(clear, 1.0f);
-    physical.transmissionColor = classic.transparency.value / clear;
-  }
-  if (mirror > 0 || clear > 0) {
-    physical.roughness.value = 0;
-    if (clear > 0) physical.specularWeight.value = 1;
-  }
-  return physical;
-}
-
 // The textures by role.
 static void FlattenRoles(const scene::Material& from, Material& m) {
   const auto set = [&](uint role, scene::TextureIndex texture) {
@@ -321,7 +278,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
     return m;
   }
   m.closure = uint(flat.physicals.size());
-  flat.physicals.push_back(PhysicalOf(from));
+  flat.physicals.push_back(ClosureOf(from));
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;

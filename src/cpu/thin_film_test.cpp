@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <complex>
+#include <glm/common.hpp>
 
 #include "image/spectrum.h"
 
@@ -129,8 +130,8 @@ TEST(ThinFilm, HasTheLimitsOfNoneAndThick) {
 TEST(ConductorIor, FindsTheMetal) {
   for (const vec2 metal :
        {vec2(0.21f, 3.27f), vec2(1.38f, 1.91f), vec2(2.9f, 3.0f), vec2(1.0f, 6.5f)}) {
-    const vec2 found = ConductorIor(FrConductor(1, metal.x, metal.y),
-                                    FrConductor(1.0f / 7, metal.x, metal.y));
+    const vec2 found =
+        ConductorIor(FrConductor(1, metal.x, metal.y), FrConductor(1.0f / 7, metal.x, metal.y));
     EXPECT_NEAR(found.x, metal.x, 0.03f * metal.x);
     EXPECT_NEAR(found.y, metal.y, 0.03f * metal.y);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "image/spectrum.h"

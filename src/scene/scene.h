@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -177,8 +178,9 @@ enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 struct RenderSettings {
   int width = 800;
   int height = 600;
-  int spp = 16;  // samples per pixel
-  Integrator integrator = Integrator::Whitted;
+  // What is left open is filled in by the materials (settings.h)
+  int spp = 0;  // samples per pixel; 0: open
+  std::optional<Integrator> integrator;
   int maxDepth = 16;               // 1: rays from the camera only
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   PixelFilter filter = PixelFilter::BlackmanHarris;

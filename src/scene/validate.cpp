@@ -54,7 +54,7 @@ class Checker {
   void CheckSettings(const RenderSettings& s) {
     Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
-    Require(s.spp > 0, "the samples per pixel must be at least 1");
+    Require(s.spp >= 0, "the samples per pixel must not be negative");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
