@@ -261,8 +261,7 @@ const SectionOf<MaterialDraft>& MaterialSection() {
                     {ClassicMaterial(), DiffuseMaterial(),
                      ShinyMaterial("phong", "Matt with Phong's highlights.").Checked(FinishPhong),
                      ShinyMaterial("blinn", "Matt with Blinn's highlights.").Checked(FinishBlinn),
-                     DielectricMaterial(), MirrorMaterial(), MetalMaterial(), PhysicalMaterial(),
-                     MetalByName(), GlassByName()},
+                     DielectricMaterial(), MirrorMaterial(), MetalMaterial(), PhysicalMaterial()},
                     "classic")
           .Base("preset")
           .Checked(FinishMaterial);

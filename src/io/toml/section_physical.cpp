@@ -53,9 +53,29 @@ static bool Alone(Reader& reader, const Fields& fields, const char* key,
   return alone;
 }
 
+// Take what the names of a metal or a glass say.
+static void ApplyNames(Reader& reader, const Fields& fields, MaterialDraft& draft) {
+  OpenPbr& physical = draft.physical;
+  if (const scene::MeasuredMetal* metal = scene::FindMetal(draft.metal)) {
+    Alone(reader, fields, "metal", {"glass", "base_color", "specular_color", "base_metalness"});
+    SetMetal(*metal, physical);
+  }
+  if (const scene::MeasuredGlass* glass = scene::FindGlass(draft.glass)) {
+    Alone(reader, fields, "glass", {"ior", "specular_ior", "transmission_dispersion_abbe_number"});
+    const OpenPbr given = physical;
+    SetGlass(*glass, physical);
+    draft.material.ior = physical.specularIor;
+    if (fields.Find("transmission_weight")) physical.transmissionWeight = given.transmissionWeight;
+    if (fields.Find("transmission_dispersion_scale"))
+      physical.transmissionDispersionScale = given.transmissionDispersionScale;
+    if (!fields.Find("specular_roughness")) physical.specularRoughness.value = 0;
+  }
+}
+
 static void FinishPhysical(Reader& reader, const Fields& fields, MaterialDraft& draft) {
   constexpr float LumensPerWatt = 683;
-  scene::OpenPbr& physical = draft.physical;
+  OpenPbr& physical = draft.physical;
+  ApplyNames(reader, fields, draft);
   physical.specularIor = draft.material.ior;
   Alone(reader, fields, "specular_ior", {"ior"});
   Alone(reader, fields, "geometry_thin_walled", {"thin"});
@@ -66,28 +86,6 @@ static void FinishPhysical(Reader& reader, const Fields& fields, MaterialDraft& 
   }
   if (fields.Find("geometry_opacity")) draft.material.alphaMode = scene::AlphaMode::Blend;
   draft.material.physical = physical;
-}
-
-static void FinishMetal(Reader& reader, const Fields& fields, MaterialDraft& draft) {
-  Alone(reader, fields, "metal", {"base_color", "specular_color", "base_metalness"});
-  if (const scene::MeasuredMetal* metal = scene::FindMetal(draft.metal))
-    SetMetal(*metal, draft.physical);
-  FinishPhysical(reader, fields, draft);
-}
-
-static void FinishGlass(Reader& reader, const Fields& fields, MaterialDraft& draft) {
-  Alone(reader, fields, "glass", {"ior", "specular_ior", "transmission_dispersion_abbe_number"});
-  const scene::MeasuredGlass* glass = scene::FindGlass(draft.glass);
-  const float scale = draft.physical.transmissionDispersionScale;
-  const float weight = draft.physical.transmissionWeight.value;
-  if (glass) {
-    SetGlass(*glass, draft.physical);
-    draft.material.ior = draft.physical.specularIor;
-    if (fields.Find("transmission_dispersion_scale"))
-      draft.physical.transmissionDispersionScale = scale;
-    draft.physical.transmissionWeight.value = weight;
-  }
-  FinishPhysical(reader, fields, draft);
 }
 
 // --- Keys ---------------------------------------------------------------------------------------------------
@@ -188,55 +186,35 @@ static Keys<MaterialDraft> SurfaceKeys() {
                         "How much of the surface is there.")})});
 }
 
-static Keys<MaterialDraft> PhysicalKeys(const Keys<MaterialDraft>& first) {
-  const Keys<OpenPbr> own =
-      Join<OpenPbr>({BaseKeys(), SpecularKeys(), TransmissionKeys(), LayerKeys()});
-  return Join<MaterialDraft>(
-      {first, Within(&MaterialDraft::physical, own), CoatMapKeys(), SurfaceKeys()});
+static Keys<MaterialDraft> NameKeys() {
+  std::vector<std::pair<std::string, std::string>> metals, glasses;
+  for (const scene::MeasuredMetal& metal : scene::MeasuredMetals())
+    metals.emplace_back(metal.name, metal.name);
+  for (const scene::MeasuredGlass& glass : scene::MeasuredGlasses())
+    glasses.emplace_back(glass.name, glass.name);
+  return {Field("metal", &MaterialDraft::metal, Choice<std::string>(metals),
+                "A real metal by its measured indices of refraction, in place of `base_color`, "
+                "`base_metalness` and `specular_color`. `type` may be left out.")
+              .Standard("none")
+              .Example("\"gold\"")
+              .Tells(),
+          Field("glass", &MaterialDraft::glass, Choice<std::string>(glasses),
+                "A real clear material by its measured index of refraction and dispersion; smooth "
+                "and clear unless other keys say so. `type` may be left out.")
+              .Standard("none")
+              .Example("\"BK7\"")
+              .Tells()};
 }
 
 VariantOf<MaterialDraft> PhysicalMaterial() {
+  const Keys<OpenPbr> own =
+      Join<OpenPbr>({BaseKeys(), SpecularKeys(), TransmissionKeys(), LayerKeys()});
   return VariantOf<MaterialDraft>(
              "openpbr",
              "Physical, by the names of OpenPBR Surface; `ior` and `emission` count as its own.",
-             PhysicalKeys({}))
+             Join<MaterialDraft>(
+                 {NameKeys(), Within(&MaterialDraft::physical, own), CoatMapKeys(), SurfaceKeys()}))
       .Checked(FinishPhysical);
-}
-
-VariantOf<MaterialDraft> MetalByName() {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const scene::MeasuredMetal& metal : scene::MeasuredMetals())
-    names.emplace_back(metal.name, metal.name);
-  return VariantOf<MaterialDraft>("metal",
-                                  "A real metal by its measured indices of refraction: as "
-                                  "`openpbr`, but for the colours of base and reflection.",
-                                  PhysicalKeys({Field("metal", &MaterialDraft::metal,
-                                                      Choice<std::string>(names), "The metal.")
-                                                    .Required()
-                                                    .Example("\"gold\"")}))
-      .ByPresence()
-      .Begin([](MaterialDraft& draft) { draft.physical.specularRoughness.value = 0.1f; })
-      .Checked(FinishMetal);
-}
-
-VariantOf<MaterialDraft> GlassByName() {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const scene::MeasuredGlass& glass : scene::MeasuredGlasses())
-    names.emplace_back(glass.name, glass.name);
-  return VariantOf<MaterialDraft>("glass",
-                                  "A real clear material by its measured index of refraction and "
-                                  "dispersion: as `openpbr`, clear and smooth.",
-                                  PhysicalKeys({Field("glass", &MaterialDraft::glass,
-                                                      Choice<std::string>(names), "The material.")
-                                                    .Required()
-                                                    .Example("\"BK7\"")}))
-      .ByPresence()
-      .Begin([](MaterialDraft& draft) {
-        draft.physical.specularRoughness.value = 0;
-        draft.physical.transmissionWeight.value = 1;
-        draft.physical.transmissionDispersionScale = 1;
-      })
-      .Checked(FinishGlass);
 }
 
 }  // namespace snell::io

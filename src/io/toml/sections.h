@@ -104,11 +104,9 @@ const SectionOf<MaterialDraft>& MaterialSection();
 Type<scene::TextureIndex> TextureName();
 // A number, a texture's name, or { texture, channel, factor } (scalar.cpp).
 Type<scene::ScalarInput> NumberOrTexture(Range range, const std::string& unit = "");
-// The keys of normal and bump maps, and the types of materials that are physical (section_physical.cpp).
+// The keys of normal and bump maps, and the type of physical materials (section_physical.cpp).
 Keys<MaterialDraft> MapKeys();
 VariantOf<MaterialDraft> PhysicalMaterial();
-VariantOf<MaterialDraft> MetalByName();
-VariantOf<MaterialDraft> GlassByName();
 
 // The texture of a name: a defined one or the built-in of that kind.
 bool ReadTexture(Reader& reader, const Node& name, scene::TextureIndex& texture);
