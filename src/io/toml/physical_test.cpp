@@ -52,11 +52,11 @@ geometry_tangent_rotation = 90)");
   EXPECT_EQ(m.specularWeight.value, 1.5f);
   EXPECT_EQ(m.specularRoughnessAnisotropy.value, 0.4f);
   EXPECT_EQ(m.specularIor, 1.7f);
-  EXPECT_EQ(m.transmissionColor.value, vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(m.transmissionColor.value, scene::vec3(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(m.transmissionDepth, 2);
   EXPECT_EQ(m.transmissionDispersionScale, 0.5f);
   EXPECT_EQ(m.transmissionDispersionAbbeNumber, 30);
-  EXPECT_EQ(m.coatColor.value, vec3(0.9f, 0.8f, 0.7f));
+  EXPECT_EQ(m.coatColor.value, scene::vec3(0.9f, 0.8f, 0.7f));
   EXPECT_EQ(m.coatRoughnessAnisotropy, 0.2f);
   EXPECT_EQ(m.coatIor, 1.4f);
   EXPECT_EQ(m.coatDarkening, 0.5f);
@@ -65,7 +65,7 @@ geometry_tangent_rotation = 90)");
   EXPECT_EQ(m.thinFilmWeight.value, 0.8f);
   EXPECT_EQ(m.thinFilmThickness.value, 0.35f);
   EXPECT_EQ(m.thinFilmIor, 1.8f);
-  EXPECT_EQ(m.emission.value, vec3(2, 1, 0));  // 683 lm/W
+  EXPECT_EQ(m.emission.value, scene::vec3(2, 1, 0));  // 683 lm/W
   EXPECT_NEAR(m.anisotropyRotation, 1.5707963f, 1e-6f);
   EXPECT_EQ(material.opacity.value, 0.9f);
   EXPECT_EQ(material.alphaMode, scene::AlphaMode::Blend);
