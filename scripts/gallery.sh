@@ -19,6 +19,7 @@ Light: light_directional light_point light_spot falloff light_colors
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
 Glass: refraction total_reflection absorption glass_of_water
+Real materials: metals thin_films dispersion
 All together: finale'
 
 # The first comment of a scene: its title, or what there is to see.

@@ -34,21 +34,21 @@ SCENE_FN float ScaledEta(float eta, float weight) {
   return (1.0f + root) / (1.0f - root);
 }
 
-// How much a thin film changes what a dielectric reflects in all; the mean over some visible facets.
+// What a thin film adds to, or takes from, what a dielectric reflects in all; the mean over some visible facets.
 SCENE_FN Spectrum FilmGain(IN(Bsdf) b, vec3 wo) {
-  Spectrum with = Spectrum(0.0f, 0.0f, 0.0f);
-  float without = 1e-6f;
+  Spectrum gain = Spectrum(0.0f, 0.0f, 0.0f);
   for (uint i = 0u; i < 6u; ++i) {
     vec2 u = vec2((float(i) + 0.5f) / 6.0f, float((i * 5u) % 6u) / 6.0f + 0.0833333f);
     vec3 m = SampleGgxVisible(b.alpha, wo, u);
     float cosine = Dot(wo, m);
     vec3 wi = -Reflect(wo, m);
     if (cosine <= 0.0f || wi.z <= 0.0f) continue;
-    float seen = GgxMasking(b.alpha, wo, wi) / GgxMasking(b.alpha, wo);
-    without += seen * FrOfEta(cosine, b.etaFresnel);
-    with += FrFilmOnDielectric(cosine, b.filmEta, b.filmPath, b.etaFresnel) * seen;
+    float bare = FrOfEta(cosine, b.etaFresnel);
+    Spectrum film = FrFilmOnDielectric(cosine, b.filmEta, b.filmPath, b.etaFresnel);
+    gain += (film - Spectrum(bare, bare, bare)) *
+            (GgxMasking(b.alpha, wo, wi) / GgxMasking(b.alpha, wo));
   }
-  return Lerp(b.film, Spectrum(1.0f, 1.0f, 1.0f), with / without);
+  return gain * (b.film / 6.0f);
 }
 
 // Set the thin film of the base and the index of the metal below it.
@@ -184,7 +184,7 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   Spectrum reflected = one * bare;
   Spectrum totals = one * total;
   if (b.film > 0.0f) {
-    reflected = Saturate(FilmGain(b, view.wo) * bare);
+    reflected = Saturate(reflected + FilmGain(b, view.wo));
     totals = reflected + (one - reflected) * (Max(total - bare, 0.0f) / Max(1.0f - bare, 1e-4f));
     totals = Spectrum(Max(totals.x, 0.05f), Max(totals.y, 0.05f), Max(totals.z, 0.05f));
   }
