@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "image/spectrum.h"
 #include "kernel/fresnel.h"
@@ -12,16 +13,8 @@ namespace snell::scene {
 
 namespace {
 
-// Share of unpolarised light that a conductor reflects (Born and Wolf, Principles of Optics, section 14.2).
-double Reflectance(double cosine, std::complex<double> index) {
-  const std::complex<double> w = std::sqrt(index * index - (1 - cosine * cosine));
-  const auto across = (cosine - w) / (cosine + w);
-  const auto along = (index * index * cosine - w) / (index * index * cosine + w);
-  return 0.5 * (std::norm(across) + std::norm(along));
-}
-
-// Between the samples; beyond them as at the ends.
-std::complex<double> IndexAt(const MeasuredMetal& metal, double nanometres) {
+// n and k between the samples; beyond them as at the ends.
+std::pair<double, double> IndexAt(const MeasuredMetal& metal, double nanometres) {
   const auto& samples = metal.samples;
   const auto above = std::ranges::upper_bound(samples, nanometres, {}, &IndexSample::nanometres);
   if (above == samples.begin()) return {samples.front().n, samples.front().k};
@@ -32,8 +25,10 @@ std::complex<double> IndexAt(const MeasuredMetal& metal, double nanometres) {
 }
 
 Spectrum ColorAt(const MeasuredMetal& metal, double cosine) {
-  return kernel::Saturate(image::ReflectanceColor(
-      [&](double nanometres) { return Reflectance(cosine, IndexAt(metal, nanometres)); }));
+  return image::ReflectanceColor([&](double nanometres) {
+    const auto [n, k] = IndexAt(metal, nanometres);
+    return ConductorReflectance(cosine, n, k);
+  });
 }
 
 }  // namespace
@@ -57,12 +52,24 @@ const MeasuredGlass* FindGlass(std::string_view name) {
   return found == MeasuredGlasses().end() ? nullptr : &*found;
 }
 
-void SetMetal(const MeasuredMetal& metal, OpenPbr& material) {
-  constexpr double Grazing = 1.0 / 7;  // of the F82 tint (kernel/bsdf.h)
+// Born and Wolf, Principles of Optics, section 14.2.
+double ConductorReflectance(double cosine, double n, double k) {
+  const std::complex<double> square = std::complex<double>(n, k) * std::complex<double>(n, k);
+  const std::complex<double> w = std::sqrt(square - (1 - cosine * cosine));
+  const auto across = (cosine - w) / (cosine + w);
+  const auto along = (square * cosine - w) / (square * cosine + w);
+  return 0.5 * (std::norm(across) + std::norm(along));
+}
+
+void SetMetalColors(Spectrum normal, Spectrum grazing, OpenPbr& material) {
   material.baseMetalness.value = 1;
-  material.baseColor.value = ColorAt(metal, 1);
-  const Spectrum schlick = kernel::FrSchlick(material.baseColor.value, float(Grazing));
-  material.specularColor.value = kernel::Saturate(ColorAt(metal, Grazing) / schlick);
+  material.baseColor.value = kernel::Saturate(normal);
+  const Spectrum schlick = kernel::FrSchlick(material.baseColor.value, float(MetalGrazing));
+  material.specularColor.value = kernel::Saturate(grazing / schlick);
+}
+
+void SetMetal(const MeasuredMetal& metal, OpenPbr& material) {
+  SetMetalColors(ColorAt(metal, 1), ColorAt(metal, MetalGrazing), material);
 }
 
 void SetGlass(const MeasuredGlass& glass, OpenPbr& material) {

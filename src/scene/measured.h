@@ -41,6 +41,13 @@ std::span<const MeasuredGlass> MeasuredGlasses();
 const MeasuredMetal* FindMetal(std::string_view name);
 const MeasuredGlass* FindGlass(std::string_view name);
 
+// Share of unpolarised light that a conductor of index n + ik reflects in air.
+double ConductorReflectance(double cosine, double n, double k);
+// The cosine of about 82°, at which the tint of metals holds (kernel/bsdf.h).
+inline constexpr double MetalGrazing = 1.0 / 7;
+// The colours at normal incidence and there, in linear Rec.709, become the base's and its tint.
+void SetMetalColors(Spectrum normal, Spectrum grazing, OpenPbr& material);
+
 // Make the base this metal: its colours at normal incidence and at 82°, in daylight. What Rec.709 cannot show is cut.
 void SetMetal(const MeasuredMetal& metal, OpenPbr& material);
 // Make the base clear, with this index of refraction and dispersion.

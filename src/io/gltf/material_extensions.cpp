@@ -58,6 +58,11 @@ void GltfMaterialReader::ReadSpecular() {
   }
   pbr_.specularColor = {
       color, textures_.Get({extension, "specularColorTexture"}, GltfPictureUse::Color, part_)};
+  // Where all is metal, glTF's two say nothing
+  if (pbr_.baseMetalness.value == 1 && pbr_.baseMetalness.texture < 0) {
+    pbr_.specularWeight = {1};
+    pbr_.specularColor = {Spectrum(1.0f)};
+  }
 }
 
 void GltfMaterialReader::ReadTransmission() {

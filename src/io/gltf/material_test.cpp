@@ -175,7 +175,7 @@ TEST(GltfMaterial, GlassAsSheetAndBody) {
 
 TEST(GltfMaterial, Layers) {
   const GltfResult result = ReadMaterial(
-      R"("extensions": {
+      R"("pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {
 "KHR_materials_clearcoat": {"clearcoatFactor": 0.8, "clearcoatRoughnessFactor": 0.1},
 "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.25, 0], "sheenRoughnessFactor": 0.4},
 "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceThicknessMaximum": 550},
