@@ -14,7 +14,7 @@ KERNEL_BEGIN
 
 // Beyond this difference of path the colours see no interference.
 CONST float FilmCoherence = 17.0f;
-CONST uint FilmOrders = 6u;
+CONST uint FilmOrders = 10u;
 
 // Amplitudes that are reflected, per channel: re + i·im of the waves across and along the plane of incidence.
 struct FilmAmplitudes {

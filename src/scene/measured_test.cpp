@@ -8,12 +8,13 @@
 namespace snell::scene {
 namespace {
 
-// Reflectances in linear Rec.709 that are widely used (Hoffman 2020, "Physics and math of shading", SIGGRAPH course).
+// Reflectances in linear Rec.709 that are widely used (Palmqvist, "Physically Based" database; Hoffman 2020, "Physics and
+// math of shading", SIGGRAPH course).
 TEST(MeasuredMetals, HaveThePublishedColours) {
   const std::pair<const char*, Spectrum> published[] = {
-      {"gold", {1.00f, 0.77f, 0.34f}},   {"silver", {0.97f, 0.96f, 0.91f}},
+      {"gold", {1.00f, 0.77f, 0.34f}},   {"silver", {0.99f, 0.98f, 0.97f}},
       {"copper", {0.95f, 0.64f, 0.54f}}, {"aluminium", {0.91f, 0.92f, 0.92f}},
-      {"iron", {0.56f, 0.57f, 0.58f}},   {"titanium", {0.54f, 0.50f, 0.45f}},
+      {"iron", {0.53f, 0.51f, 0.49f}},   {"titanium", {0.62f, 0.58f, 0.54f}},
       {"nickel", {0.66f, 0.61f, 0.53f}}, {"platinum", {0.67f, 0.64f, 0.59f}}};
   for (const auto& [name, color] : published) {
     const MeasuredMetal* metal = FindMetal(name);
@@ -48,7 +49,7 @@ TEST(MeasuredGlasses, HaveThePublishedIndices) {
   const std::tuple<const char*, double, double> published[] = {
       {"BK7", 1.51680, 64.17},    {"F5", 1.60342, 38.03},     {"SF10", 1.72825, 28.41},
       {"SF11", 1.78472, 25.76},   {"LASF9", 1.85025, 32.17},  {"fused silica", 1.45846, 67.82},
-      {"water", 1.33336, 55.75},  {"acrylic", 1.4906, 57.9},  {"polycarbonate", 1.5848, 29.9},
+      {"water", 1.33336, 55.75},  {"acrylic", 1.4906, 53.2},  {"polycarbonate", 1.5848, 27.9},
       {"sapphire", 1.7681, 72.3}, {"zirconia", 2.1585, 33.5}, {"diamond", 2.4168, 55.2}};
   EXPECT_EQ(std::size(published), MeasuredGlasses().size());
   for (const auto& [name, ior, abbe] : published) {
