@@ -121,7 +121,7 @@ FN Spectrum FilmTransmittance(float r, Spectrum bRe, Spectrum bIm, Spectrum seri
 
 // Reflectance of a film: `r` are the amplitudes of its upper face, `below` those of its lower one, `path` is twice its
 // thickness times its index times the cosine inside.
-FN Spectrum FilmReflectance(vec2 r, IN(FilmAmplitudes) below, float path) {
+RARE_FN Spectrum FilmReflectance(vec2 r, IN(FilmAmplitudes) below, float path) {
   Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
   Spectrum zero = Spectrum(0.0f, 0.0f, 0.0f);
   Spectrum across = one;
@@ -157,7 +157,7 @@ FN Spectrum FilmReflectance(vec2 r, IN(FilmAmplitudes) below, float path) {
 
 // Of a film of relative index `filmEta` on a dielectric of relative index `eta`; `filmPath` is twice its thickness
 // times its index.
-FN Spectrum FrFilmOnDielectric(float cosine, float filmEta, float filmPath, float eta) {
+RARE_FN Spectrum FrFilmOnDielectric(float cosine, float filmEta, float filmPath, float eta) {
   Spectrum all = Spectrum(1.0f, 1.0f, 1.0f);
   float inside = RefractedCosine(cosine, filmEta);
   if (inside <= 0.0f) return all;
@@ -166,8 +166,8 @@ FN Spectrum FrFilmOnDielectric(float cosine, float filmEta, float filmPath, floa
   return FilmReflectance(FrAmplitudes(cosine, inside, filmEta),
                          DielectricBelowFilm(inside, behind, eta / filmEta), filmPath * inside);
 }
-FN Spectrum FrFilmOnConductor(float cosine, float filmEta, float filmPath, Spectrum eta,
-                              Spectrum k) {
+RARE_FN Spectrum FrFilmOnConductor(float cosine, float filmEta, float filmPath, Spectrum eta,
+                                   Spectrum k) {
   float inside = RefractedCosine(cosine, filmEta);
   if (inside <= 0.0f) return Spectrum(1.0f, 1.0f, 1.0f);
   return FilmReflectance(FrAmplitudes(cosine, inside, filmEta),
@@ -177,7 +177,7 @@ FN Spectrum FrFilmOnConductor(float cosine, float filmEta, float filmPath, Spect
 // The index of refraction n + ik, as (n, k), of a conductor by what it reflects at normal incidence and at the cosine
 // 1/7. Of all that reflect f0 (Gulbrandsen 2014, "Artist friendly metallic Fresnel", equation 5) the one with the
 // greatest n has the deepest dip there.
-FN vec2 ConductorIor(float f0, float f82) {
+RARE_FN vec2 ConductorIor(float f0, float f82) {
   float r = Clamp(f0, 1e-3f, 0.995f);
   float root = sqrt(r);
   float low = (1.0f - r) / (1.0f + r);
