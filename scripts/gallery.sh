@@ -21,6 +21,7 @@ Mirrors: mirror_plane mirror_back mirrors_facing
 Cameras: depth_of_field fisheye
 Glass: refraction total_reflection absorption glass_of_water
 Media: fog smoke subsurface
+Real materials: metals thin_films dispersion
 All together: finale'
 
 # The first comment of a scene: its title, or what there is to see.

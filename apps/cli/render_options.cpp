@@ -49,11 +49,12 @@ void AddViewOptions(CLI::App& command, RenderArguments& a) {
 
 void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
-           "Samples per pixel (the scene's, or 16)");
+           "Samples per pixel (the scene's, or 16; 64 by paths)");
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,
       "Only the samples from number A up to B, which is left out");
-  AddChoice(command, "--integrator", "whitted|path", a.integrator, "How light is followed");
+  AddChoice(command, "--integrator", "whitted|path", a.integrator,
+            "How light is followed (the scene's, or path where a material is physical)");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,

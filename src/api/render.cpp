@@ -5,6 +5,7 @@
 
 #include "cpu/render_cpu.h"
 #include "scene/framing.h"
+#include "scene/settings.h"
 #include "scene/validate.h"
 #include "util/text.h"
 #include "util/threads.h"
@@ -36,6 +37,7 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
                   "the integrators are: whitted, path");
     settings.integrator = isPath ? scene::Integrator::Path : scene::Integrator::Whitted;
   }
+  scene::Resolve(scene, settings);
   scene::Validate(settings);
   return settings;
 }

@@ -22,7 +22,7 @@ struct RenderOptions {
   std::optional<int> spp;
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
-  std::optional<std::string> integrator;  // "whitted" or "path"
+  std::optional<std::string> integrator;  // "whitted" or "path"; else by the materials
   std::optional<std::string> camera;      // by name; else the first one
   std::optional<std::array<int, 4>>
       crop;  // x0, y0, x1, y1 in pixels; the picture has just these pixels

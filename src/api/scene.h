@@ -77,6 +77,7 @@ struct SceneInfo {
   int width = 0;
   int height = 0;
   int spp = 0;
+  std::string integrator;
   std::vector<Item> cameras;
   std::vector<Item> lights;
   std::vector<Item> materials;

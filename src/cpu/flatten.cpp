@@ -9,6 +9,7 @@
 #include "bvh/bounds.h"
 #include "cpu/albedo_tables.h"
 #include "cpu/flatten_camera.h"
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_emitters.h"
 #include "cpu/flatten_environment.h"
 #include "cpu/flatten_filter.h"
@@ -17,6 +18,7 @@
 #include "cpu/flatten_medium.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
+#include "scene/settings.h"
 
 namespace snell::cpu {
 
@@ -53,7 +55,9 @@ Transform ToTransform(const scene::Affine& m) {
 }
 
 // The power of two from the samples per pixel on.
-static uint SamplesLog2(int spp) { return std::min(uint(std::bit_width(uint(spp - 1))), 20u); }
+static uint SamplesLog2(int spp) {
+  return std::min(uint(std::bit_width(uint(std::max(spp, 1) - 1))), 20u);
+}
 
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
                   const scene::Camera& camera) {
@@ -71,15 +75,18 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.lightSampling =
       settings.lightSampling == scene::LightSampling::Power ? LIGHTS_BY_POWER : LIGHTS_BY_TREE;
 
-  flat.integrator = settings.integrator;
+  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  const bool isPath = settings.integrator == scene::Integrator::Path;
-  if (isPath) flat.albedos = AlbedoTables();
+  const bool isPath = flat.integrator == scene::Integrator::Path;
+  if (isPath) {
+    flat.albedos = AlbedoTables();
+    FlattenClosureTextures(scene, flat);
+  }
   FlattenObjects(scene, finer,
                  isPath                   ? ShadowRays::Path
                  : settings.tintedShadows ? ShadowRays::Tinted

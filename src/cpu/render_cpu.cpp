@@ -151,7 +151,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
       const std::uint64_t raysBefore = counts.rays.Sum();
       Replay replay{&scene, 0, 0, 0};
       const CheckContext context(Replay::Describe, &replay);
-      RenderTile(kernel, request.settings.integrator, tiles[i], pass, replay, film, counts);
+      RenderTile(kernel, flat.integrator, tiles[i], pass, replay, film, counts);
       const std::uint64_t samples = samplesDone += counts.samples - samplesBefore;
       const std::uint64_t rays = raysDone += counts.rays.Sum() - raysBefore;
       if (progress) progress->Update(samples, rays);

@@ -28,6 +28,8 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
   s.etaScale = 1.0f;
+  s.monochrome = 0u;
+  s.wavelength = 0.0f;
   s.depth = 1u;
   s.scatterings = 0u;
   s.passes = 0u;
@@ -55,13 +57,6 @@ SCENE_FN Spectrum UnboundedLe(IN(PathState) s, vec3 d, bool fromCamera) {
   // Ambient lights light surfaces but are not seen
   if (!fromCamera) Le += params.ambient;
   return Le;
-}
-
-// A unit normal that wo sees from above.
-SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
-  float cosine = Dot(ns, wo);
-  if (cosine > 1e-3f) return ns;
-  return Normalize(ns + wo * (2e-3f - cosine));
 }
 
 // Gather the light of one source at a surface, then choose the way on.
@@ -188,7 +183,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   // Find what lies behind a refractive boundary
   bool hasInside = material.refractive == 1u && material.thin == 0u;
   MediumStack mediaBehind = media;
-  float eta = material.ior / MediumIor(inside);
+  bool chooses = hasInside && material.dispersion > 0.0f && s.monochrome == 0u;
+  if (chooses) ChooseWavelength(s);
+  float nearIor = MediumIor(inside, s.wavelength);
+  float eta = material.ior / nearIor;
   if (hasInside) {
     mediaBehind =
         Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
@@ -203,9 +201,9 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       s.alive = 1u;
       return;
     }
-    eta = MediumIor(behind) / MediumIor(inside);
+    eta = MediumIor(behind, s.wavelength) / nearIor;
   }
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
+  Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
     float weight = 1.0f;
     if (s.bsdfPdf > 0.0f) {
@@ -220,6 +218,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
   // Set up the surface's scattering in the frame of its shading normal
+  vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
   PathVertex v;
   v.p = it.p;
@@ -231,15 +230,15 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   v.g = 0.0f;
   v.n = n;
   v.z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  v.x = it.tangent - v.z * Dot(it.tangent, v.z);
-  if (LengthSquared(v.x) > 1e-12f * LengthSquared(it.tangent)) {
-    v.x = Normalize(v.x);
-    v.y = Cross(v.z, v.x);
-  } else {
-    CoordinateSystem(v.z, v.x, v.y);
-  }
+  ScatteringFrame(material, shown, it, v.z, v.x, v.y);
   v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
-  v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
+  BsdfView view;
+  view.wo = v.woLocal;
+  view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
+  view.eta = eta;
+  view.nearIor = nearIor;
+  view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
+  v.bsdf = BsdfAt(material, shown, it.color, view);
   // Nothing wanders below a surface within a body that does, or seen from below
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
     v.bsdf = WithoutSubsurface(v.bsdf);

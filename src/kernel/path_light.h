@@ -113,8 +113,8 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
   source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
-                OpacityOf(material, shown, source.alpha);
+  Spectrum Le =
+      EmissionAt(material, shown, Dot(source.ns, ray.d)) * OpacityOf(material, shown, source.alpha);
   if (IsBlack(f * Le)) return none;
   float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
   if (sourcePdf <= 0.0f) return none;

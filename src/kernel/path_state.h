@@ -19,6 +19,8 @@ struct PathState {
   Spectrum beta;     // what its radiance counts in the pixel
   Spectrum L;        // radiance gathered so far
   float etaScale;    // η² of the refractions so far, which Russian roulette does not see
+  uint monochrome;   // 1: the path has one wavelength
+  float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all
   uint depth;        // of the next vertex; 1 is what the camera sees
   uint scatterings;  // in media so far
   uint passes;       // surfaces passed since the last vertex because they are open there

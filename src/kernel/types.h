@@ -194,9 +194,21 @@ CONST uint ROLE_COAT_ROUGHNESS = 12u;
 CONST uint ROLE_FUZZ_WEIGHT = 13u;
 CONST uint ROLE_FUZZ_COLOR = 14u;
 CONST uint ROLE_FUZZ_ROUGHNESS = 15u;
-CONST uint ROLE_SUBSURFACE = 16u;
-CONST uint ROLE_SUBSURFACE_COLOR = 17u;
-CONST uint RoleCount = 18u;
+CONST uint ROLE_ANISOTROPY = 16u;
+CONST uint ROLE_TRANSMISSION_COLOR = 17u;
+CONST uint ROLE_COAT_COLOR = 18u;
+CONST uint ROLE_COAT_NORMAL = 19u;
+CONST uint ROLE_FILM_WEIGHT = 20u;
+CONST uint ROLE_FILM_THICKNESS = 21u;
+CONST uint ROLE_DIFFUSE_TRANSMISSION = 22u;
+CONST uint ROLE_DIFFUSE_TRANSMISSION_COLOR = 23u;
+CONST uint ROLE_SUBSURFACE = 24u;
+CONST uint ROLE_SUBSURFACE_COLOR = 25u;
+CONST uint RoleCount = 26u;
+
+// How roughness and anisotropy make the widths of the microfacets' normals.
+CONST uint ANISOTROPY_OPENPBR = 0u;
+CONST uint ANISOTROPY_GLTF = 1u;
 
 // A physical (OpenPBR) material. The classic integrator shows a part of it (physical.h).
 struct Physical {
@@ -215,10 +227,19 @@ struct Physical {
   ScalarSource fuzzRoughness;
   // What only the path tracer shows
   float diffuseRoughness;
-  float anisotropy;
-  Spectrum coatColor;
+  ScalarSource anisotropy;
+  uint anisotropyModel;
+  uint anisotropyMapped;  // 1: its texture's red and green are the direction, from −1 to 1
+  vec2 anisotropyAxis;    // cosine and sine of the angle from the tangent to the direction
+  Spectrum coatColor;     // what is left of light that crosses the coat twice, at normal incidence
   float coatDarkening;
-  float diffuseTransmission;
+  float coatAnisotropy;
+  vec2 coatNormalScale;
+  ScalarSource filmWeight;
+  ScalarSource filmThickness;  // micrometres
+  float filmThicknessLeast;    // where the texture is 0
+  float filmIor;
+  ScalarSource diffuseTransmission;
   Spectrum diffuseTransmissionColor;
   Spectrum metalColor;
   ScalarSource subsurface;
@@ -248,7 +269,9 @@ struct Material {
   uint refractive;  // 1: some light passes
   uint thin;        // 1: a sheet without inside
   int priority;     // of the inside where objects overlap; the higher wins
-  float ior;
+  float ior;        // at 587.6 nm
+  float
+      dispersion;  // Cauchy's B, µm²: how the index grows with the inverse square of the wavelength
   Medium inside;
   uint container;  // 1: a boundary that is not seen, around a medium
   Spectrum emission;

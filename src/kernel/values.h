@@ -27,6 +27,7 @@
 #include "kernel/shape.h"
 #include "kernel/sobol.h"
 #include "kernel/subsurface.h"
+#include "kernel/thin_film.h"
 #include "kernel/triangle.h"
 #include "kernel/whitted_state.h"
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -204,7 +205,7 @@ struct Environment {
   int sun = -1;             // the light that is the sun of a sky; -1: none
   bool visible = true;      // to the camera; mirrors show it in any case
   bool ambient = false;     // its mean is ambient light to the classic integrator
-  Medium medium;  // around all objects
+  Medium medium;            // around all objects
 };
 
 enum class Integrator { Whitted, Path };
@@ -217,8 +218,9 @@ enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 struct RenderSettings {
   int width = 800;
   int height = 600;
-  int spp = 16;  // samples per pixel
-  Integrator integrator = Integrator::Whitted;
+  // What is left open is filled in by the materials (settings.h)
+  int spp = 0;  // samples per pixel; 0: open
+  std::optional<Integrator> integrator;
   int maxDepth = 16;               // 1: rays from the camera only
   int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut

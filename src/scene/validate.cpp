@@ -60,7 +60,7 @@ class Checker {
   void CheckSettings(const RenderSettings& s) {
     Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
-    Require(s.spp > 0, "the samples per pixel must be at least 1");
+    Require(s.spp >= 0, "the samples per pixel must not be negative");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
     Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
@@ -249,8 +249,9 @@ class Checker {
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
-    for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
-                                    &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+    for (const ColorInput* color :
+         {&m.baseColor, &m.specularColor, &m.transmissionColor, &m.diffuseTransmissionColor,
+          &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
       CheckColor(*color, false, what);
     for (const ScalarInput* input :
          {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
@@ -258,15 +259,19 @@ class Checker {
           &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight,
           &m.thinFilmThickness})
       Require(Sound(*input), fmt::format("{} has a weight that is not sound", what));
-    Require(IsTexture(m.anisotropyDirection) && IsTexture(m.coatNormal.texture),
+    Require(IsTexture(m.coatNormal.texture),
             fmt::format("{} refers to a texture that does not exist", what));
     Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
             fmt::format("{} needs positive indices of refraction", what));
     Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
-                NonNegative(m.transmissionColor) && NonNegative(m.transmissionScatter) &&
+                NonNegative(m.transmissionColor.value) && NonNegative(m.transmissionScatter) &&
                 Finite(m.transmissionScatterAnisotropy) && Positive(m.subsurfaceRadius) &&
                 NonNegative(m.subsurfaceRadiusScale) && Finite(m.subsurfaceScatterAnisotropy) &&
-                Finite(m.baseWeight) && m.baseWeight >= 0,
+                Finite(m.baseWeight) && m.baseWeight >= 0 && Finite(m.thinFilmThicknessLeast) &&
+                m.thinFilmThicknessLeast >= 0 && Finite(m.transmissionDispersionScale) &&
+                m.transmissionDispersionScale >= 0 && Finite(m.transmissionDispersionAbbeNumber) &&
+                m.transmissionDispersionAbbeNumber >= 0 && Finite(m.coatRoughnessAnisotropy) &&
+                Finite(m.anisotropyRotation),
             fmt::format("{} needs finite numbers that are not negative", what));
   }
 

@@ -109,8 +109,11 @@ TEST(Coverage, Materials) {
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.extinction.x > 0; }));
-  for (const uint role : {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY,
-                          ROLE_NORMAL, ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS})
+  for (const uint role :
+       {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY, ROLE_NORMAL,
+        ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS, ROLE_ANISOTROPY, ROLE_TRANSMISSION_COLOR,
+        ROLE_COAT_COLOR, ROLE_COAT_NORMAL, ROLE_FILM_WEIGHT, ROLE_FILM_THICKNESS,
+        ROLE_DIFFUSE_TRANSMISSION, ROLE_DIFFUSE_TRANSMISSION_COLOR})
     EXPECT_TRUE(
         any_of(materials, [&](const Material& m) { return m.textures[role] != kernel::None; }));
 }
@@ -137,9 +140,13 @@ TEST(Coverage, PhysicalMaterialsAndMaps) {
   for (const auto offset : {&Mesh::uvs1, &Mesh::tangents, &Mesh::colors})
     EXPECT_TRUE(any_of(meshes, [&](const Mesh& m) { return m.*offset != kernel::None; }));
   const auto physicals = Every(&FlatScene::physicals);
-  for (const auto source : {&Physical::metalness, &Physical::transmission, &Physical::coatWeight,
-                            &Physical::fuzzWeight})
+  for (const auto source :
+       {&Physical::metalness, &Physical::transmission, &Physical::coatWeight, &Physical::fuzzWeight,
+        &Physical::filmWeight, &Physical::anisotropy, &Physical::diffuseTransmission})
     EXPECT_TRUE(any_of(physicals, [&](const Physical& p) { return (p.*source).value > 0; }));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyModel), TagsTo(ANISOTROPY_GLTF));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyMapped), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.dispersion > 0; }));
 }
 
 TEST(Coverage, PicturesInEveryEncodingWrapAndFilter) {

@@ -49,7 +49,7 @@ const char* NameInGlsl<float[FilterQuantileCount]>() {
 
 template <>
 const char* NameInGlsl<uint[RoleCount]>() {
-  return "uint[18]";
+  return "uint[26]";
 }
 
 struct Record {
@@ -120,8 +120,17 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Physical, fuzzRoughness),
          MEMBER(Physical, diffuseRoughness),
          MEMBER(Physical, anisotropy),
+         MEMBER(Physical, anisotropyModel),
+         MEMBER(Physical, anisotropyMapped),
+         MEMBER(Physical, anisotropyAxis),
          MEMBER(Physical, coatColor),
          MEMBER(Physical, coatDarkening),
+         MEMBER(Physical, coatAnisotropy),
+         MEMBER(Physical, coatNormalScale),
+         MEMBER(Physical, filmWeight),
+         MEMBER(Physical, filmThickness),
+         MEMBER(Physical, filmThicknessLeast),
+         MEMBER(Physical, filmIor),
          MEMBER(Physical, diffuseTransmission),
          MEMBER(Physical, diffuseTransmissionColor),
          MEMBER(Physical, metalColor),
@@ -143,15 +152,15 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
                            MEMBER(Material, reflection),   MEMBER(Material, refractive),
                            MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, inside),
-                           MEMBER(Material, container),    MEMBER(Material, emission),
-                           MEMBER(Material, reflectivity), MEMBER(Material, transparency),
-                           MEMBER(Material, physical),     MEMBER(Material, closure),
-                           MEMBER(Material, textured),     MEMBER(Material, textures),
-                           MEMBER(Material, singleSided),  MEMBER(Material, alphaMode),
-                           MEMBER(Material, opacity),      MEMBER(Material, alphaCutoff),
-                           MEMBER(Material, normalScale),  MEMBER(Material, bumpMap),
-                           MEMBER(Material, bumpScale)}}},
+                           MEMBER(Material, ior),          MEMBER(Material, dispersion),
+                           MEMBER(Material, inside),       MEMBER(Material, container),
+                           MEMBER(Material, emission),     MEMBER(Material, reflectivity),
+                           MEMBER(Material, transparency), MEMBER(Material, physical),
+                           MEMBER(Material, closure),      MEMBER(Material, textured),
+                           MEMBER(Material, textures),     MEMBER(Material, singleSided),
+                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
+                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
+                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
         {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),

@@ -29,7 +29,7 @@ TEST_F(Commands, InfoTellsWhatIsInAScene) {
   const Result result = Run({"info", "spheres.nff"});
   EXPECT_EQ(result.status, 0);
   for (const char* part :
-       {"spheres.nff\n", "  picture    48 × 32, 1 sample per pixel\n", "  cameras    1\n",
+       {"spheres.nff\n", "  picture    48 × 32, 1 sample per pixel, whitted\n", "  cameras    1\n",
         "pinhole, at 2.1 1.7 1.3", "  lights     2\n", "point light", "  materials  3\n",
         "  objects    3: mesh 1, sphere 2\n", "  triangles  2 stored, 2 seen\n",
         "  bounds     -6 -6 -0.5 to 6 6 0.5, 12 × 12 × 1 m\n", "  memory     scene "})

@@ -20,11 +20,13 @@
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_frame.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_environment.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/path_light.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/path_medium.h"
 #include "kernel/path.h"
 

@@ -23,11 +23,13 @@ static Keys<RenderSettings> SamplingKeys() {
       Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
   return {
       Field("spp", &RenderSettings::spp, Integer(1, 1 << 20), "Samples per pixel.")
+          .Standard("`16`, by paths `64`")
           .Not({"samples", "samples_per_pixel"}),
       Field("seed", &RenderSettings::seed, Seed(), "Another number gives other noise."),
       Field("integrator", &RenderSettings::integrator, integrators,
             "How light is followed: a tree of mirrored and refracted rays, or paths with all "
-            "reflections between surfaces."),
+            "reflections between surfaces.")
+          .Standard("`\"path\"` if an object has a physical material, else `\"whitted\"`"),
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
@@ -161,7 +163,8 @@ const std::vector<const Section*>& AllSections() {
       &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
       &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
       &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
-      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection()};
+      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection(),
+      &ChannelSection()};
   return sections;
 }
 

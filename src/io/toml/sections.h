@@ -89,16 +89,24 @@ struct MaterialDraft {
   bool normalized = false;
   scene::OpenPbr physical;
   scene::Medium volume;
+  // Of physical ones
+  std::string metal;
+  std::string glass;
+  float emissionLuminance = 0;  // cd/m²
+  ColorInput emissionColor{Spectrum(1.0f)};
 };
 
 const SectionOf<TextureDraft>& TextureSection();
 const SectionOf<Tint>& TintSection();
+const SectionOf<scene::ScalarInput>& ChannelSection();
 const SectionOf<scene::Term>& TermSection();
 const SectionOf<MaterialDraft>& MaterialSection();
 
 // The name of a texture, for keys that take nothing else.
 Type<scene::TextureIndex> TextureName();
-// The keys of normal and bump maps, and the types of materials that are physical (toml_section_physical.cpp).
+// A number, a texture's name, or { texture, channel, factor } (scalar.cpp).
+Type<scene::ScalarInput> NumberOrTexture(Range range, const std::string& unit = "");
+// The keys of normal and bump maps, and the type of physical materials (section_physical.cpp).
 Keys<MaterialDraft> MapKeys();
 VariantOf<MaterialDraft> PhysicalMaterial();
 
