@@ -20,6 +20,8 @@ constexpr int MaxSamples = std::numeric_limits<int>::max();
 constexpr int MaxThreads = 4096;
 constexpr float MaxStops = 100;
 
+}  // namespace
+
 void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddValues(
       command, "-o,--output", "FILE", ReadText, a.outputs,
@@ -34,6 +36,8 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
       "linear");
 }
+
+namespace {
 
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
   AddValue<std::pair<int, int>>(
@@ -50,6 +54,7 @@ void AddViewOptions(CLI::App& command, RenderArguments& a) {
 void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
            "Samples per pixel (the scene's, or 16)");
+  AddEndOptions(command, a.film);
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,
       "Only the samples from number A up to B, which is left out");
@@ -99,11 +104,14 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
   command.option_defaults()->group("Quality");
   AddQualityOptions(command, arguments);
   AddLoadOptions(command, arguments.load);
+  command.option_defaults()->group("Long renders");
+  AddFilmOptions(command, arguments.film);
   command.option_defaults()->group("Running");
   AddRunOptions(command, arguments);
 }
 
-RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
+RenderOptions RenderOptionsOf(const RenderArguments& arguments,
+                              const std::vector<Output>& outputs) {
   RenderOptions options;
   const auto [width, height] = arguments.size.value_or(std::pair(0, 0));
   if (width > 0) options.width = width;
@@ -115,6 +123,10 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
   options.camera = arguments.camera;
   options.crop = arguments.crop;
   options.samples = arguments.samples;
+  options.seconds = arguments.film.seconds;
+  options.noise = arguments.film.noise;
+  options.exposure = arguments.exposure;
+  options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
   return options;
 }
@@ -123,7 +135,8 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   std::vector<Output> outputs;
   std::set<fs::path> seen;
   std::vector<std::string> names = arguments.outputs;
-  if (names.empty()) names.push_back(fs::path(arguments.scene).stem().string() + ".png");
+  if (names.empty() && !arguments.film.film)
+    names.push_back(fs::path(arguments.scene).stem().string() + ".png");
   for (const std::string& name : names) {
     if (!seen.insert(fs::path(name).lexically_normal()).second)
       throw UsageError("--output names '" + name + "' twice");

@@ -32,11 +32,9 @@ std::uint64_t FlatScene::TextureBytes() const {
 }
 
 std::uint64_t FlatScene::MemoryBytes() const {
-  return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
-         BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
-         BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         TextureBytes();
+  std::uint64_t bytes = 0;
+  VisitBuffers([&](const auto& buffer) { bytes += BytesOf(buffer); });
+  return bytes;
 }
 
 Transform ToTransform(const scene::Affine& m) {

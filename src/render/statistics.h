@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/types.h"
+#include "render/schedule.h"
 
 namespace snell::render {
 
@@ -40,6 +41,7 @@ struct NonFiniteSample {
 };
 
 struct Statistics {
+  End end = End::Samples;
   RayTotals rays;
   std::uint64_t samples = 0;
   std::uint64_t nonFiniteSamples = 0;
