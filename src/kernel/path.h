@@ -128,26 +128,34 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
 
   // Set up the surface's scattering in the frame of its shading normal
   it.ns = MappedNormal(material, it, shown);
-  vec3 z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  vec3 x = it.tangent - z * Dot(it.tangent, z);
-  vec3 y;
-  if (LengthSquared(x) > 1e-12f * LengthSquared(it.tangent)) {
-    x = Normalize(x);
-    y = Cross(z, x);
+  PathVertex v;
+  v.p = it.p;
+  v.pError = it.pError;
+  v.wo = wo;
+  v.before = media;
+  v.behind = mediaBehind;
+  v.inMedium = 0u;
+  v.g = 0.0f;
+  v.n = n;
+  v.z = NormalSeenFrom(FaceForward(it.ns, n), wo);
+  v.x = it.tangent - v.z * Dot(it.tangent, v.z);
+  if (LengthSquared(v.x) > 1e-12f * LengthSquared(it.tangent)) {
+    v.x = Normalize(v.x);
+    v.y = Cross(v.z, v.x);
   } else {
-    CoordinateSystem(z, x, y);
+    CoordinateSystem(v.z, v.x, v.y);
   }
-  vec3 woLocal = vec3(Dot(wo, x), Dot(wo, y), Dot(wo, z));
-  Bsdf bsdf = BsdfAt(material, shown, it.color, eta, woLocal.z);
+  v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
+  v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
 
   // Gather the light of one source, then choose the way on
   float lightSum;
-  Spectrum sampled = SampledLight(s, bsdf, it, n, x, y, z, woLocal, media, mediaBehind, lightSum);
+  Spectrum sampled = SampledLight(s, v, lightSum);
   s.L += s.beta * sampled;
   vec2 lobe = PathSample2D(s);
-  BsdfSample next = SampleBsdf(bsdf, woLocal, lobe.x, PathSample2D(s));
+  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
   if (next.pdf <= 0.0f) return;
-  vec3 wi = x * next.wi.x + y * next.wi.y + z * next.wi.z;
+  vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
   if ((Dot(wi, n) < 0.0f) != (next.transmitted == 1u)) return;
   s.beta = s.beta * next.weight;
   if (next.transmitted == 1u && material.thin == 0u && hasInside) s.etaScale *= eta * eta;

@@ -66,10 +66,8 @@ SCENE_FN uint EmitterAt(float u) {
   return low;
 }
 
-// Light from a point of a glowing triangle, sampled at a vertex, towards wo.
-SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it,
-                                 vec3 n, vec3 x, vec3 y, vec3 z, vec3 wo, float choice, vec2 u,
-                                 IN(MediumStack) before, IN(MediumStack) behind) {
+// Light from a point of a glowing triangle, sampled at a vertex, towards where the path comes from.
+SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, float choice, vec2 u) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   LET(Emitter) emitter = emitters[EmitterAt(choice)];
   LET(Triangle) triangle = triangles[emitter.triangle];
@@ -77,14 +75,15 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceIn
   vec3 point = positions[triangle.v0] * (1.0f - b.x - b.y) + positions[triangle.v1] * b.x +
                positions[triangle.v2] * b.y;
   if (emitter.instance != None) point = ToWorldPoint(instances[emitter.instance].toWorld, point);
-  vec3 toPoint = point - it.p;
+  vec3 toPoint = point - v.p;
   float distance = Length(toPoint);
   if (distance <= 0.0f) return none;
   Ray ray;
-  ray.o = it.p;
+  ray.o = v.p;
   ray.d = toPoint / distance;
-  vec3 wi = vec3(Dot(ray.d, x), Dot(ray.d, y), Dot(ray.d, z));
-  if (wi.z * Dot(ray.d, n) <= 0.0f) return none;
+  float pdf;
+  Spectrum f = EvalVertex(v, ray.d, pdf);
+  if (IsBlack(f)) return none;
 
   // What the triangle sends this way from there
   Hit hit;
@@ -97,47 +96,38 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceIn
   RoleTexels shown = TexelsAt(material, source);
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
                 OpacityOf(material, shown, source.alpha);
-  float pdf;
-  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
   if (IsBlack(f * Le)) return none;
   float sourcePdf = PdfEmitter(material, source, ray.d, distance);
   s.rays.shadow += 1u;
-  vec3 start = OffsetRayOrigin(it.p, it.pError, n, ray.d);
-  float reach = DistanceToLight(it.p, point, source.n, ray.d, distance);
-  return f * Le * LightTransmittance(start, ray.d, reach, wi.z > 0.0f ? before : behind) *
+  float reach = DistanceToLight(v.p, point, source.n, ray.d, distance);
+  return f * Le * LightTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
          (1.0f / (sourcePdf + pdf));
 }
 
-// Light from one source, chosen and sampled at a vertex, towards wo.
-SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(Bsdf) bsdf, IN(SurfaceInteraction) it, vec3 n,
-                               vec3 x, vec3 y, vec3 z, vec3 wo, IN(MediumStack) before,
-                               IN(MediumStack) behind, OUT(float) lightSum) {
+// Light from one source, chosen and sampled at a vertex, towards where the path comes from.
+SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) lightSum) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   vec2 choice = PathSample2D(s);
   vec2 u = PathSample2D(s);
   float importance;
-  uint index = ChooseLight(it.p, choice.x, lightSum, importance);
+  uint index = ChooseLight(v.p, choice.x, lightSum, importance);
   float emitterShare = EmitterShare();
-  if (choice.y < emitterShare)
-    return SampledEmitter(s, bsdf, it, n, x, y, z, wo, choice.x, u, before, behind);
+  if (choice.y < emitterShare) return SampledEmitter(s, v, choice.x, u);
   if (index == None) return none;
   LET(Light) light = lights[index];
-  LightLiSample li = SampleLi(light, it.p, u);
+  LightLiSample li = SampleLi(light, v.p, u);
   if (IsBlack(li.irradiance)) return none;
-  vec3 wi = vec3(Dot(li.wi, x), Dot(li.wi, y), Dot(li.wi, z));
-  // Both normals must agree on the side
-  if (wi.z * Dot(li.wi, n) <= 0.0f) return none;
   float pdf;
-  Spectrum f = EvalBsdf(bsdf, wo, wi, pdf);
+  Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  vec3 start = OffsetRayOrigin(it.p, it.pError, n, li.wi);
-  Spectrum arriving = f * li.irradiance *
-                      LightTransmittance(start, li.wi, li.distance, wi.z > 0.0f ? before : behind);
+  Spectrum arriving =
+      f * li.irradiance *
+      LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
   if (light.found == 1u) {
-    float lightPdf = pick * PdfLi(light, it.p, li.wi, li.distance);
+    float lightPdf = pick * PdfLi(light, v.p, li.wi, li.distance);
     weight = lightPdf / (lightPdf + pdf);
   }
   return arriving * (weight / pick);
