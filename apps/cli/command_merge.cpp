@@ -51,9 +51,10 @@ int RunMerge(const MergeArguments& arguments) {
   bool allInPlace = true;
   for (Output& output : outputs) {
     output.options.exposure = arguments.pictures.exposure.value_or(result.exposure);
-    output.options.metadata = {{"Software", "Snell " + Version()},
-                               {"Scene", Printable(result.scene)},
-                               {"Samples", SamplesText(result.samplesPerPixel)}};
+    output.options.metadata = {
+        {"Software", "Snell " + Version()},
+        {"Scene", Printable(std::filesystem::path(result.scene).filename().string())},
+        {"Samples", SamplesText(result.samplesPerPixel)}};
     const Written file = WriteOrRescue(output, result.picture);
     PrintFaults(output, file);
     if (!file.path.empty()) written.push_back(file.path.string());

@@ -63,6 +63,9 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
            "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
+  AddValue(command, "--clamp-indirect", "X", Number(0, 1e9f), a.clampIndirect,
+           "Path tracer: the most that indirect light adds to a pixel at once (the scene's, or 0: "
+           "any); removes fireflies, and some light");
 }
 
 void AddRunOptions(CLI::App& command, RenderArguments& a) {
@@ -119,6 +122,7 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.spp = arguments.spp;
   options.maxDepth = arguments.maxDepth;
   options.minContribution = arguments.minContribution;
+  options.clampIndirect = arguments.clampIndirect;
   options.integrator = arguments.integrator;
   options.camera = arguments.camera;
   options.crop = arguments.crop;

@@ -35,6 +35,7 @@ struct RenderArguments {
   std::optional<std::string> integrator;
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
+  std::optional<float> clampIndirect;
 
   LoadArguments load;
   FilmArguments film;

@@ -54,6 +54,7 @@ std::string SummaryText(const RenderSummary& summary) {
     text += fmt::format("  noise    {:.2g} RMS, {:.2g} at most; {} above what was asked\n",
                         r.noise->rms, r.noise->largest, Plural(r.noise->pixels, "pixel"));
   }
+  if (r.heldBack > 0) text += fmt::format("  clamped  {:.2g} % of the light\n", r.heldBack * 100);
   text += fmt::format("  written  {}\n", summary.files.empty()
                                              ? "nothing"
                                              : fmt::format("{}", fmt::join(summary.files, ", ")));
@@ -82,6 +83,7 @@ std::string SummaryJson(const RenderSummary& summary) {
     json.Add("pixels_above", r.noise->pixels);
     json.End();
   }
+  if (r.heldBack > 0) json.Add("clamped_share", r.heldBack);
   json.BeginObject("seconds");
   json.Add("load", summary.loadSeconds);
   json.Add("prepare", r.prepareSeconds);

@@ -7,6 +7,7 @@
 
 #include "api/film_picture.h"
 #include "render/film_file.h"
+#include "util/file.h"
 
 namespace snell {
 
@@ -18,6 +19,7 @@ static std::string Text(const render::PixelRect& r) {
 
 render::Film FilmKeeper::Begin(const render::PixelRect& rect, std::uint32_t firstSample,
                                scene::RenderSettings& settings) const {
+  if (options_.resume) RemoveAbandoned(options_.checkpoint);
   std::error_code ignored;
   if (!options_.resume || !fs::exists(options_.checkpoint, ignored))
     return render::Film(rect, firstSample);

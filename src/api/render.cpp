@@ -37,6 +37,7 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
   settings.spp = options.spp.value_or(settings.spp);
   settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
   settings.minContribution = options.minContribution.value_or(settings.minContribution);
+  settings.clampIndirect = options.clampIndirect.value_or(settings.clampIndirect);
   if (options.integrator) {
     const bool isPath = *options.integrator == "path";
     if (!isPath && *options.integrator != "whitted")
@@ -139,6 +140,7 @@ RenderReport ReportOf(const render::Statistics& statistics) {
   report.sceneBytes = statistics.sceneBytes;
   report.bvhBytes = statistics.bvhBytes;
   report.filmBytes = statistics.filmBytes;
+  report.heldBack = statistics.heldBack;
   report.warnings = statistics.warnings;
   if (statistics.nonFiniteSamples > 0) {
     const render::NonFiniteSample& first = statistics.nonFinite.front();

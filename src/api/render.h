@@ -33,6 +33,7 @@ struct RenderOptions {
   std::optional<int> spp;
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
+  std::optional<float> clampIndirect;
   std::optional<std::string> integrator;  // "whitted" or "path"
   std::optional<std::string> camera;      // by name; else the first one
   std::optional<std::array<int, 4>>
@@ -67,6 +68,7 @@ struct RenderReport {
   bool checkpointSaved = false;  // by this render
   std::string filmFault;         // why the film at the end could not be saved; "" if it was
   std::optional<NoiseReport> noise;
+  double heldBack = 0;  // share of all light that clampIndirect has removed
   std::uint64_t cameraRays = 0;
   std::uint64_t reflectedRays = 0;
   std::uint64_t refractedRays = 0;

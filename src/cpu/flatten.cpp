@@ -104,6 +104,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
+  flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
   FlattenCone(settings, flat.params);
 

@@ -28,7 +28,7 @@ render::Properties SamplesDependOn(const FlatScene& flat, const scene::RenderSet
   others.camera = {};
   others.coneWidth = others.coneSpread = 0;
   others.maxDepth = others.seed = 0;
-  others.minContribution = 0;
+  others.minContribution = others.clampIndirect = 0;
   kernel::Camera camera = flat.params.camera;
   camera.resolution = {0, 0};
   const kernel::vec2 cone(flat.params.coneWidth, flat.params.coneSpread);
@@ -40,6 +40,7 @@ render::Properties SamplesDependOn(const FlatScene& flat, const scene::RenderSet
           {"integrator", isPath ? "path" : "whitted"},
           {"maximum depth", fmt::format("{}", settings.maxDepth)},
           {"minimum contribution", fmt::format("{}", settings.minContribution)},
+          {"limit of indirect light", fmt::format("{}", settings.clampIndirect)},
           {"seed", fmt::format("{}", settings.seed)},
           // Only textures see how wide a pixel is
           {"number of samples for textures (--spp)", flat.textures.empty() ? "any" : Sum(cone)},

@@ -31,6 +31,8 @@ struct alignas(64) WorkerCounts {
   std::uint64_t nonFiniteSamples = 0;
   std::vector<render::NonFiniteSample> nonFinite;
   std::uint64_t droppedBranches = 0;
+  render::ExactSum light;     // added to the film, over all pixels
+  render::ExactSum heldBack;  // and not added
 };
 
 // The sample being computed, for the message of a failed check.
@@ -64,6 +66,7 @@ struct Traced {
   Spectrum L;
   RayCounts rays;
   uint dropped;
+  float held;
 };
 
 // Follow the ray tree to its end.
@@ -71,7 +74,7 @@ Traced TraceWhitted(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
   WhittedState state;
   kernel.WhittedBegin(state, pixel, sample);
   while (state.alive == 1) kernel.WhittedStep(state);
-  return {state.L, state.rays, state.dropped};
+  return {state.L, state.rays, state.dropped, 0.0f};
 }
 
 // Follow the path to its end.
@@ -79,7 +82,7 @@ Traced TracePath(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
   PathState state;
   kernel.PathBegin(state, pixel, sample);
   while (state.alive == 1) kernel.PathStep(state);
-  return {state.L, state.rays, 0};
+  return {state.L, state.rays, 0, state.held};
 }
 
 // Bring the tile's pixels to their goals, or as far as time allows.
@@ -110,6 +113,10 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
         film.Add(x, y, sample, L);
         counts.rays.Add(traced.rays);
         counts.droppedBranches += traced.dropped;
+        if (kernel.params.clampIndirect > 0) {
+          counts.light.Add(render::Film::Brightness(glm::dvec3(L)));
+          counts.heldBack.Add(IsFinite(Spectrum(traced.held)) ? double(traced.held) : 0.0);
+        }
         ++counts.samples;
       }
     }
@@ -225,18 +232,24 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   if (plan.samples > 0)
     statistics.end = interruptions.Stopped() ? render::End::Stopped : render::End::Time;
   else
-    statistics.end = plan.resting > 0 ? render::End::Noise : render::End::Samples;
+    statistics.end =
+        plan.resting == film.pixels().size() ? render::End::Noise : render::End::Samples;
 
   // Add up what the workers counted
+  render::ExactSum light, heldBack;
   for (const WorkerCounts& counts : workers) {
     statistics.rays.Add(counts.rays);
     statistics.samples += counts.samples;
     statistics.nonFiniteSamples += counts.nonFiniteSamples;
     statistics.droppedBranches += counts.droppedBranches;
+    light.Add(counts.light);
+    heldBack.Add(counts.heldBack);
     for (const render::NonFiniteSample& sample : counts.nonFinite) {
       if (statistics.nonFinite.size() < NonFiniteKept) statistics.nonFinite.push_back(sample);
     }
   }
+  if (heldBack.Value() > 0)
+    statistics.heldBack = heldBack.Value() / (light.Value() + heldBack.Value());
   statistics.renderSeconds = timer.Seconds();
   return statistics;
 }

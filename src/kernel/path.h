@@ -23,6 +23,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.ray = GenerateRay(params.camera, place);
   s.beta = Spectrum(1.0f, 1.0f, 1.0f);
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.held = 0.0f;
   s.etaScale = 1.0f;
   s.depth = 1u;
   s.passes = 0u;
@@ -32,6 +33,19 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.lastPoint = s.ray.o;
   s.lightSum = 0.0f;
   s.alive = 1u;
+}
+
+// Add light to the pixel that was scattered at so many vertices on its way. Indirect light, from two of them on, is held
+// to a limit if there is one: fireflies are found rarely and weigh much; without them the picture is darker.
+SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint vertices) {
+  float most = MaxChannel(L);
+  Spectrum kept = L;
+  if (params.clampIndirect > 0.0f && vertices > 1u && most > params.clampIndirect) {
+    kept = L * (params.clampIndirect / most);
+    Spectrum rest = L - kept;
+    s.held += (rest.x + rest.y + rest.z) * (1.0f / 3.0f);
+  }
+  s.L += kept;
 }
 
 // A unit normal that wo sees from above.
@@ -50,7 +64,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     Spectrum Le = EnvironmentLe(params.environment, ray.d);
     // Ambient lights light surfaces but are not seen
     if (s.depth > 1u) Le += params.ambient;
-    s.L += s.beta * Le;
+    PathAdd(s, s.beta * Le, s.depth - 1u);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -91,7 +105,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
     }
-    s.L += s.beta * light.emission * weight;
+    PathAdd(s, s.beta * light.emission * weight, s.depth - 1u);
     return;
   }
 
@@ -122,7 +136,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    s.L += s.beta * Le * weight;
+    PathAdd(s, s.beta * Le * weight, s.depth - 1u);
   }
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
@@ -151,7 +165,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   // Gather the light of one source, then choose the way on
   float lightSum;
   Spectrum sampled = SampledLight(s, v, lightSum);
-  s.L += s.beta * sampled;
+  PathAdd(s, s.beta * sampled, s.depth);
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
   if (next.pdf <= 0.0f) return;

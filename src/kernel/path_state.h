@@ -18,6 +18,7 @@ struct PathState {
   uint alive;       // 1: it is to be traced
   Spectrum beta;    // what its radiance counts in the pixel
   Spectrum L;       // radiance gathered so far
+  float held;       // mean of the channels of the radiance that was held back (PathAdd)
   float etaScale;   // η² of the refractions so far, which Russian roulette does not see
   uint depth;       // of the next vertex; 1 is what the camera sees
   uint passes;      // surfaces passed since the last vertex because they are open there

@@ -329,6 +329,7 @@ struct RenderParams {
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   float minContribution;  // branches that can add less than this are cut
+  float clampIndirect;  // the path tracer's limit to what one find of indirect light adds; 0: none
   uint seed;
   float coneWidth;   // of camera rays: their diameter at the start, in metres,
   float coneSpread;  // and how it grows with the distance

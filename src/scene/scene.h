@@ -181,6 +181,8 @@ struct RenderSettings {
   Integrator integrator = Integrator::Whitted;
   int maxDepth = 16;               // 1: rays from the camera only
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
+  float clampIndirect =
+      0;  // path: the most that one find of indirect light adds, W/(sr·m²); 0: any
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear

@@ -67,6 +67,7 @@ TEST_F(Documents, EachCommandHasAPage) {
                                                                           "--integrator",
                                                                           "--max-depth",
                                                                           "--min-contribution",
+                                                                          "--clamp-indirect",
                                                                           "--up",
                                                                           "--smooth",
                                                                           "--time",
