@@ -82,7 +82,7 @@ void AddLoadOptions(CLI::App& command, LoadArguments& arguments) {
   AddValue(command, "--smooth", "DEGREES", Number(0, 180), arguments.smooth,
            "Mesh files without normals: shade edges below this angle smoothly; 0: flat");
   command.option_defaults()->group("Animations");
-  AddValue(command, "--time", "SECONDS", Number(-MaxSeconds, MaxSeconds), arguments.time,
+  AddValue(command, "--at", "SECONDS", Number(-MaxSeconds, MaxSeconds), arguments.time,
            "glTF files with animations: the moment to show; without it everything is at rest");
   command.option_defaults()->group("Light");
   AddValue<std::string>(

@@ -38,11 +38,9 @@ std::uint64_t FlatScene::TextureBytes() const {
 }
 
 std::uint64_t FlatScene::MemoryBytes() const {
-  return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
-         BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
-         BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         BytesOf(lightNodes) + TextureBytes();
+  std::uint64_t bytes = 0;
+  VisitBuffers([&](const auto& buffer) { bytes += BytesOf(buffer); });
+  return bytes;
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -69,6 +67,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
   flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
+  flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
   flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
   flat.params.samplesLog2 = SamplesLog2(settings.spp);

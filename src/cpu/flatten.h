@@ -43,6 +43,14 @@ struct FlatScene {
 
   // Views for the BVH; this scene must not move while they are used.
   bvh::Geometry Geometry();
+  // Call `visit` with each of the arrays above.
+  template <class Visit>
+  void VisitBuffers(Visit visit) const {
+    visit(objects), visit(shapes), visit(instances), visit(meshes), visit(triangles);
+    visit(positions), visit(normals), visit(uvs), visit(tangents), visit(colors);
+    visit(materials), visit(terms), visit(physicals), visit(lights), visit(albedos);
+    visit(emitters), visit(lightNodes), visit(textures), visit(images), visit(texels);
+  }
   std::uint64_t MemoryBytes() const;
   std::uint64_t TextureBytes() const;  // of these: textures and their pictures
 };

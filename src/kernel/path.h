@@ -27,6 +27,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.ray = start.ray;
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.held = 0.0f;
   s.etaScale = 1.0f;
   s.monochrome = 0u;
   s.wavelength = 0.0f;
@@ -64,7 +65,7 @@ SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
   bool walks = s.walk != None;
   if (!walks) {
     Spectrum sampled = SampledLight(s, v);
-    s.L += s.beta * sampled;
+    PathAdd(s, s.beta * sampled, PathVertices(s));
   }
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
@@ -136,7 +137,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (hit.primitive == None) {
     // Bodies that are not closed let the path out to nowhere
     if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
-    s.L += s.beta * UnboundedLe(s, ray.d, fromCamera);
+    PathAdd(s, s.beta * UnboundedLe(s, ray.d, fromCamera), PathVertices(s) - 1u);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -175,8 +176,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (object.light != None) {
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
-    s.L +=
-        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint));
+    PathAdd(
+        s,
+        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint)),
+        PathVertices(s) - 1u);
     return;
   }
 
@@ -213,7 +216,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
         pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    s.L += s.beta * Le * weight;
+    PathAdd(s, s.beta * Le * weight, PathVertices(s) - 1u);
   }
   if (s.depth >= params.maxDepth || material.closure == None) return;
 

@@ -14,6 +14,22 @@ SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
   return Sobol2D(s.sampleIndex, seed);
 }
 
+// The number of the next vertex; 1 is what the camera sees.
+SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
+
+// Add light to the pixel that was scattered at so many vertices on its way. Indirect light, from two of them on, is held
+// to a limit if there is one: fireflies are found rarely and weigh much; without them the picture is darker.
+SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint vertices) {
+  float most = MaxChannel(L);
+  Spectrum kept = L;
+  if (params.clampIndirect > 0.0f && vertices > 1u && most > params.clampIndirect) {
+    kept = L * (params.clampIndirect / most);
+    Spectrum rest = L - kept;
+    s.held += (rest.x + rest.y + rest.z) * (1.0f / 3.0f);
+  }
+  s.L += kept;
+}
+
 // The directional lights' importances, added up, and one of them chosen in proportion by u.
 SCENE_FN float ChooseDirectional(vec3 n, float u, OUT(uint) chosen, OUT(float) pick) {
   float sum = 0.0f;

@@ -36,7 +36,7 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   // Below a surface no light is sampled: it comes in where the path gets out
   if (!walks) {
     Spectrum sampled = SampledLight(s, v);
-    s.L += s.beta * sampled;
+    PathAdd(s, s.beta * sampled, PathVertices(s) - 1u);
   }
 
   s.ray.o = v.p;
@@ -62,7 +62,8 @@ SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float d
   }
   float reach = Min(distance, LongestFlight);
   if (!IsBlack(medium.emission))
-    s.L += s.beta * medium.emission * GlowLength(medium.extinction, reach);
+    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach),
+            PathVertices(s) - 1u);
   if (IsBlack(medium.extinction)) return true;
   if (IsBlack(medium.scattering)) {
     s.beta = s.beta * Exp(medium.extinction * -reach);

@@ -416,6 +416,7 @@ struct RenderParams {
   uint maxVolumeDepth;    // scatterings in media along a path
   Medium surroundings;    // around all objects; only the path tracer shows it
   float minContribution;  // branches that can add less than this are cut
+  float clampIndirect;  // the path tracer's limit to what one find of indirect light adds; 0: none
   uint seed;
   uint independentSamples;  // 1: the path tracer takes random numbers in place of a sequence
   uint

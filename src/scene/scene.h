@@ -225,6 +225,8 @@ struct RenderSettings {
   int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   Sampler sampler = Sampler::Sobol;
+  float clampIndirect =
+      0;  // path: the most that one find of indirect light adds, W/(sr·m²); 0: any
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear

@@ -65,6 +65,8 @@ class Checker {
     Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
+    Require(Finite(s.clampIndirect) && s.clampIndirect >= 0,
+            "the limit of indirect light must not be negative");
     Require(Finite(s.filterRadius) && s.filterRadius >= 0,
             "the filter's radius must not be negative");
     Require(Finite(s.exposure), "the exposure must be finite");
