@@ -27,6 +27,8 @@ struct Written {
 };
 
 Written WriteOrRescue(const Output& output, const Picture& picture);
+// Print what went wrong with a file and what became of the picture, if anything did.
+void PrintFaults(const Output& output, const Written& written);
 
 // Pictures of the layers that can be shown, for formats that have no room for layers: "a.albedo.png" beside "a.png".
 // Normals from −1 to 1 and the depths that there are become black to white. None for an EXR.

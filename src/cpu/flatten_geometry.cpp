@@ -119,6 +119,7 @@ bool PassesStraight(const scene::Material& material) {
 }
 
 bool LetsShadowRaysPass(const scene::Material& material, ShadowRays shadowRays) {
+  if (material.volume) return true;
   if (!material.Refractive()) return material.alphaMode != scene::AlphaMode::Opaque;
   if (shadowRays == ShadowRays::Path) return PassesStraight(material);
   return shadowRays == ShadowRays::Tinted;
@@ -216,7 +217,7 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
     flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None,
-                            ToTransform(object.toWorld)});
+                            ToTransform(object.toWorld), 0});
     if (finer.meshOf[i] >= 0) ++uses[std::size_t(finer.meshOf[i])];
   }
 

@@ -48,6 +48,24 @@ SCENE_FN void AovSurface(IN(SurfaceInteraction) it) {
   aovs[0].uv = it.uv;
 }
 
+// A point in a medium that the camera sees, and the object that it is inside of, or None.
+SCENE_FN void AovMedium(vec3 p, uint object) {
+  if (params.aovs == 0u || aovs[0].seen == 1u) return;
+  aovs[0].seen = 1u;
+  aovs[0].object = object;
+  aovs[0].depth = Length(p - aovs[0].start);
+  aovs[0].position = p;
+}
+
+// What the classic integrator sees behind the scene, by its sources; the sum is BackgroundLe.
+SCENE_FN void AovBackground(Spectrum weight, vec3 d, bool fromCamera, uint scatterings) {
+  if (params.aovs == 0u || (fromCamera && params.environment.visible == 0u)) return;
+  float pdf;
+  AovLight(weight * EnvironmentLe(d, pdf), params.environment.group, scatterings);
+  for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun)
+    AovLight(weight * SunLe(lights[sun], d), lights[sun].group, scatterings);
+}
+
 // What a denoiser is told, of the sample or of a part of it that weighs less.
 SCENE_FN void AovFeatures(Spectrum albedo, vec3 n) {
   aovs[0].albedo += Spectrum(Clamp(albedo.x, 0.0f, 1.0f), Clamp(albedo.y, 0.0f, 1.0f),
@@ -70,11 +88,13 @@ SCENE_FN Spectrum AlbedoOfPhysical(IN(Physical) physical, IN(RoleTexels) shown,
   float transmission =
       Clamp(ShownScalar(physical.transmission, shown, ROLE_TRANSMISSION), 0.0f, 1.0f);
   Spectrum texel = ShownColor(shown, ROLE_BASE_COLOR) * vertexColor;
-  Spectrum base = physical.baseColor * texel;
+  float subsurface = Clamp(ShownScalar(physical.subsurface, shown, ROLE_SUBSURFACE), 0.0f, 1.0f);
+  Spectrum base = Lerp(subsurface, physical.baseColor * texel,
+                       physical.subsurfaceColor * ShownColor(shown, ROLE_SUBSURFACE_COLOR));
   Spectrum metal = physical.metalColor;
   if (physical.metalByBase == 1u) metal = metal * texel;
-  Spectrum clear = physical.transmissionColor;
-  if (physical.tintByBase == 1u) clear = clear * base;
+  Spectrum clear = physical.transmissionColor * ShownColor(shown, ROLE_TRANSMISSION_COLOR);
+  if (physical.tintByBase == 1u) clear = clear * physical.baseColor * texel;
   float fuzz = Clamp(ShownScalar(physical.fuzzWeight, shown, ROLE_FUZZ_WEIGHT), 0.0f, 1.0f);
   return Lerp(fuzz, Lerp(metalness, Lerp(transmission, base, clear), metal),
               physical.fuzzColor * ShownColor(shown, ROLE_FUZZ_COLOR));

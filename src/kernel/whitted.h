@@ -16,7 +16,6 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   s.dropped = 0u;
   s.waiting = 0u;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
-  s.rays.camera = 0u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
   s.rays.shadow = 0u;
@@ -25,16 +24,22 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   vec2 u = Sobol2D(sampleIndex, HashCombine(s.seed, 0u));
   vec2 offset = SamplePixelFilter(u);
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
-  s.branch.ray = GenerateRay(params.camera, place);
-  s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f);
+  vec2 lens = vec2(0.0f, 0.0f);
+  if (HasLens(params.camera)) {
+    lens = Sobol2D(sampleIndex, HashCombine(s.seed, s.dimension));
+    s.dimension += 1u;
+  }
+  CameraRay start = GenerateRay(params.camera, place, lens);
+  s.branch.ray = start.ray;
+  s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.branch.depth = 1u;
   s.branch.scatterings = 0u;
   s.branch.described = 0u;
   AovBegin(s.branch.ray);
   s.branch.coneWidth = params.coneWidth;
   s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
-  s.alive = 1u;
-  s.rays.camera += 1u;
+  s.alive = start.weight > 0.0f ? 1u : 0u;
+  s.rays.camera = s.alive;
 }
 
 // Go on with the branch that waited last, or end.
@@ -159,8 +164,10 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Ray ray = branch.ray;
   Hit hit = ClosestHit(ray, Infinite, branch.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    Spectrum background = branch.weight * EnvironmentLe(params.environment, ray.d);
-    s.L += AovLight(background, params.environment.group, branch.scatterings);
+    bool fromCamera = branch.depth == 1u;
+    Spectrum background = branch.weight * BackgroundLe(ray.d, fromCamera);
+    s.L += background;
+    AovBackground(branch.weight, ray.d, fromCamera, branch.scatterings);
     if (params.aovs == 1u && branch.described == 0u)
       AovFeatures(background, vec3(0.0f, 0.0f, 0.0f));
     WhittedNext(s);

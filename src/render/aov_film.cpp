@@ -81,6 +81,7 @@ void AovFilm::Add(int x, int y, std::uint32_t number, Spectrum L, const kernel::
   sums[Nearness].x += 1 / std::max(double(sample.depth), 1e-6);
   if (!nearest_.empty() && sample.depth < nearest_[pixel].depth)
     nearest_[pixel] = {sample.depth, sample.position, sample.uv};
+  if (sample.object == kernel::None) return;
   if (!objects_.empty()) objects_[pixel].Add(objectIds_[sample.object]);
   if (!materials_.empty()) materials_[pixel].Add(materialIds_[sample.object]);
 }

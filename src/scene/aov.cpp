@@ -37,6 +37,10 @@ std::vector<std::string> LightGroupsOf(const Scene& scene) {
   return groups;
 }
 
+std::uint32_t LightGroupIndex(const std::vector<std::string>& groups, const std::string& name) {
+  return std::uint32_t(std::ranges::find(groups, name) - groups.begin());
+}
+
 bool IsLightGroupName(const std::string& name) {
   const auto fits = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

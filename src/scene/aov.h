@@ -45,6 +45,9 @@ const std::vector<std::pair<std::string, Aov>>& AovNames();
 // The groups that lights, glowing materials and the environment name, each once; the first, "", is that of all others.
 std::vector<std::string> LightGroupsOf(const Scene& scene);
 
+// Where a name stands among them.
+std::uint32_t LightGroupIndex(const std::vector<std::string>& groups, const std::string& name);
+
 // Whether the name can be a part of a layer's: letters, digits, '_' and '-'.
 bool IsLightGroupName(const std::string& name);
 

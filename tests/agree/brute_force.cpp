@@ -63,16 +63,23 @@ struct BruteForceKernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const LightNode* lightNodes;
   WhittedBranch branches[WhittedStackSize];
   AovSample aovs[1];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
+#include "kernel/path_medium.h"
+#include "kernel/path_shadow.h"
 #include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
@@ -132,6 +139,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
                           scene.lights.data(),
                           scene.emitters.data(),
                           scene.albedos.data(),
+                          scene.lightNodes.data(),
                           {},
                           {}};
   const uvec2 resolution = scene.params.camera.resolution;
