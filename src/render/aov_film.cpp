@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "kernel/math.h"
 #include "util/check.h"
 
 namespace snell::render {
