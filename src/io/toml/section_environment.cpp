@@ -80,7 +80,7 @@ const SectionOf<SkyDraft>& SkySection() {
           "sky", "sky",
           "A clear sky, computed from the optics of air, haze and ozone, with the sun as a "
           "directional light. Its watts are weighted by the eye: 1 W stands for 683 lm, so that "
-          "noon brings some 170 W/m² (115,000 lux) and wants an `exposure` of about −6.",
+          "noon brings some 170 W/m² (115,000 lux) and wants an `exposure` of about −5.",
           Join<SkyDraft>({SunKeys(),
                           {Field("turbidity", &SkyDraft::turbidity, Number({1, 15}),
                                  "Haze: 1 is pure air, 2 to 3 a clear day, 10 thick haze."),
