@@ -44,7 +44,6 @@ struct Kernel {
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/path.h"
-#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_environment.h"

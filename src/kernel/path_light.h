@@ -122,11 +122,20 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   vec2 u = PathSample2D(s);
   float importance;
   uint index = ChooseLight(v.p, choice.x, lightSum, importance);
-  if (choice.y < EnvironmentShare()) return SampledEnvironment(s, v, u);
-  if (choice.y < EnvironmentShare() + EmitterShare()) return SampledEmitter(s, v, choice.x, u);
-  if (index == None) return none;
-  LET(Light) light = lights[index];
-  LightLiSample li = SampleLi(light, v.p, u);
+  LightLiSample li;
+  float pick;
+  float lightPdf;  // 0: the path's own way cannot find the light
+  if (choice.y < EnvironmentShare()) {
+    li = SampleEnvironmentLi(u, lightPdf);
+    pick = EnvironmentShare();
+  } else {
+    if (choice.y < EnvironmentShare() + EmitterShare()) return SampledEmitter(s, v, choice.x, u);
+    if (index == None) return none;
+    LET(Light) light = lights[index];
+    li = SampleLi(light, v.p, u);
+    pick = importance / lightSum * LightShare();
+    lightPdf = light.found == 1u ? PdfLi(light, v.p, li.wi, li.distance) : 0.0f;
+  }
   if (IsBlack(li.irradiance)) return none;
   float pdf;
   Spectrum f = EvalVertex(v, li.wi, pdf);
@@ -135,12 +144,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   Spectrum arriving =
       f * li.irradiance *
       LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
-  float pick = importance / lightSum * LightShare();
-  float weight = 1.0f;
-  if (light.found == 1u) {
-    float lightPdf = pick * PdfLi(light, v.p, li.wi, li.distance);
-    weight = lightPdf / (lightPdf + pdf);
-  }
+  float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }
 

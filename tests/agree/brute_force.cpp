@@ -67,7 +67,6 @@ struct BruteForceKernel {
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
-#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_environment.h"

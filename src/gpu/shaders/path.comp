@@ -20,7 +20,6 @@
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
-#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/path.h"
 
