@@ -202,14 +202,14 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
-  std::string lightGroup = {};  // as Light::group
   ImageIndex map = -1;          // of all directions (kernel/environment.h), in place of the colours
   Spectrum mapScale{1.0f};      // W/(sr·m²) of its 1
   float rotation = 0;           // of the map: radians about +y, counter-clockwise from above
   int sun = -1;                 // the light that is the sun of a sky; -1: none
   bool visible = true;          // to the camera; mirrors show it in any case
   bool ambient = false;         // its mean is ambient light to the classic integrator
-  Medium medium;                // around all objects
+  Medium medium = {};           // around all objects
+  std::string lightGroup = {};  // as Light::group
 };
 
 enum class Integrator { Whitted, Path };
