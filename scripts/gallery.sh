@@ -15,7 +15,7 @@ snell=${SNELL:-./snell}
 # Each line is a group and its scenes, in the order of a first course.
 groups='Shapes: sphere plane triangle shapes mesh subdivision displacement models textures
 Shading: ambient diffuse specular phong
-Light: light_directional light_point light_spot falloff light_colors
+Light: light_directional light_point light_spot falloff light_colors sky_noon sky_evening
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
 Glass: refraction total_reflection absorption glass_of_water

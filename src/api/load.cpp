@@ -46,6 +46,7 @@ Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options) {
   readOptions.zUp = options.zUp;
   readOptions.smooth = options.smooth;
   readOptions.time = options.time;
+  readOptions.environment = options.environment;
   readOptions.limits = LimitsOf(options);
   CheckFolders(options);
   readOptions.folders = options.folders;

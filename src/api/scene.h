@@ -37,6 +37,8 @@ struct LoadOptions {
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
   std::optional<double> time =
       {};  // seconds, of a glTF file's animations; without it everything is at rest
+  // A picture of all directions, equirectangular: stands for the scene's environment and for the studio
+  std::filesystem::path environment = {};
   // Folders that files may be read from besides the scene's own
   std::vector<std::filesystem::path> folders = {};
   std::map<std::string, std::uint64_t> limits = {};  // other values of known limits

@@ -10,6 +10,7 @@
 #include "cpu/albedo_tables.h"
 #include "cpu/flatten_closure.h"
 #include "cpu/flatten_emitters.h"
+#include "cpu/flatten_environment.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_shading.h"
@@ -70,11 +71,6 @@ static Camera FlattenCamera(const scene::Camera& camera, const scene::RenderSett
   return flat;
 }
 
-static Environment FlattenEnvironment(const scene::Environment& environment) {
-  return {environment.bottom, environment.top, std::sin(environment.bottomElevation),
-          std::sin(environment.topElevation), environment.ior};
-}
-
 // What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
 // detail need not smooth again (pbrt-v4, section 10.1.2).
 static void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
@@ -105,20 +101,19 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlatScene flat;
   flat.params = {};
   flat.params.camera = FlattenCamera(camera, settings);
-  flat.params.environment = FlattenEnvironment(scene.environment);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.minContribution = settings.minContribution;
   flat.params.seed = settings.seed;
   FlattenCone(settings, flat.params);
 
+  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   const bool isPath = flat.integrator == scene::Integrator::Path;
   if (isPath) {
     flat.albedos = AlbedoTables();
@@ -130,6 +125,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                                           : ShadowRays::Opaque,
                  flat);
   if (isPath) FlattenEmitters(flat);
+  FlattenEnvironment(scene.environment, flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -299,19 +299,25 @@ void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
     flat.materials.push_back(FlattenMaterial(material, flat));
 }
 
+// Whether rays that meet the light see what sampling it gives.
+static bool IsFound(const scene::Light& light, scene::Integrator integrator, bool isSun) {
+  if (!light.visible) return false;
+  if (light.kind == scene::LightKind::Directional)
+    return light.angularSize > 0 && (integrator == scene::Integrator::Path || isSun);
+  return HasSurface(light) && light.range <= 0 && light.falloff == scene::Falloff::InverseSquare;
+}
+
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
+    const bool isSun = scene.environment.sun == int(&light - scene.lights.data());
     if (light.kind == scene::LightKind::Ambient) {
       flat.params.ambient += light.color * light.strength;
       continue;
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
-    flat.lights.back().found = light.visible && HasSurface(light) && light.range <= 0 &&
-                                       light.falloff == scene::Falloff::InverseSquare
-                                   ? 1
-                                   : 0;
+    flat.lights.back().found = IsFound(light, flat.integrator, isSun) ? 1 : 0;
 
     if (!light.visible || !HasSurface(light)) continue;
     if (lightMaterial == None) {

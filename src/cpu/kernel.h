@@ -47,6 +47,7 @@ struct Kernel {
 #include "kernel/path_light.h"
 #include "kernel/path_wavelength.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_frame.h"
 #include "kernel/scene_image.h"

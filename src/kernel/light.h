@@ -150,8 +150,10 @@ FN LightLiSample SampleLi(IN(Light) light, vec3 p, vec2 u) {
   return SampleFlatLight(light, p, light.position + light.edgeU * u.x + light.edgeV * u.y);
 }
 
-// The density of SampleLi, per solid angle at p, of the direction wi in which an area light is met at a distance.
+// The density of SampleLi, per solid angle at p, of the direction wi in which an area light is met at a distance, or
+// the disc of a directional light.
 FN float PdfLi(IN(Light) light, vec3 p, vec3 wi, float distance) {
+  if (light.kind == LIGHT_DIRECTIONAL) return Inv2Pi / light.oneMinusCos;
   if (light.kind == LIGHT_SPHERE) {
     float sin2 = Sqr(light.radius) / LengthSquared(light.position - p);
     if (sin2 >= 1.0f) return 0.25f * InvPi;
@@ -159,6 +161,14 @@ FN float PdfLi(IN(Light) light, vec3 p, vec3 wi, float distance) {
   }
   float cosLight = -Dot(light.direction, wi);
   return cosLight > 0.0f ? Sqr(distance) / (cosLight * light.area) : 0.0f;
+}
+
+// Radiance of a directional light's disc, black beside it.
+FN Spectrum SunLe(IN(Light) light, vec3 d) {
+  // The squared chord between the directions is twice 1 − their cosine and keeps the digits of narrow discs
+  if (LengthSquared(d + light.direction) >= 2.0f * light.oneMinusCos)
+    return Spectrum(0.0f, 0.0f, 0.0f);
+  return light.emission * (Inv2Pi / light.oneMinusCos);
 }
 
 // About how much light p can receive from a source, shadows and angles aside: what choosing one of many goes by.

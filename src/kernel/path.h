@@ -36,16 +36,28 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.alive = 1u;
 }
 
+// What a ray sees that leaves the scene.
+SCENE_FN Spectrum UnboundedLe(IN(PathState) s, vec3 d) {
+  if (s.depth == 1u && params.environment.visible == 0u) return Spectrum(0.0f, 0.0f, 0.0f);
+  float pdf;
+  Spectrum Le = EnvironmentLe(d, pdf);
+  if (s.bsdfPdf > 0.0f) Le = Le * (s.bsdfPdf / (s.bsdfPdf + EnvironmentShare() * pdf));
+  for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun) {
+    Spectrum disc = SunLe(lights[sun], d);
+    if (!IsBlack(disc)) Le += disc * FoundWeight(s, sun, d, Infinite);
+  }
+  // Ambient lights light surfaces but are not seen
+  if (s.depth > 1u) Le += params.ambient;
+  return Le;
+}
+
 // Follow the ray to the next vertex, gather light there, and find the way on.
 SCENE_FN void PathStep(INOUT(PathState) s) {
   Ray ray = s.ray;
   s.alive = 0u;
   Hit hit = ClosestHit(ray, Infinite, s.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    Spectrum Le = EnvironmentLe(params.environment, ray.d);
-    // Ambient lights light surfaces but are not seen
-    if (s.depth > 1u) Le += params.ambient;
-    s.L += s.beta * Le;
+    s.L += s.beta * UnboundedLe(s, ray.d);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -79,14 +91,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (object.light != None) {
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
-    float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f) {
-      float pick =
-          LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * (1.0f - EmitterShare());
-      float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
-      weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
-    }
-    s.L += s.beta * light.emission * weight;
+    s.L +=
+        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint));
     return;
   }
 

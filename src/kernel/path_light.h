@@ -37,10 +37,21 @@ SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImpo
   return chosen;
 }
 
-// The share of samples that go to glowing triangles, the others to lights.
+// The share of samples that go to glowing triangles; what is left of the environment's and theirs goes to lights.
 SCENE_FN float EmitterShare() {
   if (params.emitterCount == 0u) return 0.0f;
-  return params.lightCount == 0u ? 1.0f : 0.5f;
+  return (1.0f - EnvironmentShare()) * (params.lightCount == 0u ? 1.0f : 0.5f);
+}
+SCENE_FN float LightShare() { return 1.0f - EnvironmentShare() - EmitterShare(); }
+
+// The weight of a light that the path's own way has met, in the direction wi from its last vertex, against the chance
+// that it was sampled there.
+SCENE_FN float FoundWeight(IN(PathState) s, uint index, vec3 wi, float distance) {
+  if (s.bsdfPdf <= 0.0f) return 1.0f;
+  LET(Light) light = lights[index];
+  if (light.found == 0u) return 0.0f;
+  float pick = LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * LightShare();
+  return s.bsdfPdf / (s.bsdfPdf + pick * PdfLi(light, s.lastPoint, wi, distance));
 }
 
 // The density, per solid angle at a distance, of sampling a point of a glowing triangle in the direction wi: points are
@@ -111,11 +122,20 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   vec2 u = PathSample2D(s);
   float importance;
   uint index = ChooseLight(v.p, choice.x, lightSum, importance);
-  float emitterShare = EmitterShare();
-  if (choice.y < emitterShare) return SampledEmitter(s, v, choice.x, u);
-  if (index == None) return none;
-  LET(Light) light = lights[index];
-  LightLiSample li = SampleLi(light, v.p, u);
+  LightLiSample li;
+  float pick;
+  float lightPdf;  // 0: the path's own way cannot find the light
+  if (choice.y < EnvironmentShare()) {
+    li = SampleEnvironmentLi(u, lightPdf);
+    pick = EnvironmentShare();
+  } else {
+    if (choice.y < EnvironmentShare() + EmitterShare()) return SampledEmitter(s, v, choice.x, u);
+    if (index == None) return none;
+    LET(Light) light = lights[index];
+    li = SampleLi(light, v.p, u);
+    pick = importance / lightSum * LightShare();
+    lightPdf = light.found == 1u ? PdfLi(light, v.p, li.wi, li.distance) : 0.0f;
+  }
   if (IsBlack(li.irradiance)) return none;
   float pdf;
   Spectrum f = EvalVertex(v, li.wi, pdf);
@@ -124,12 +144,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   Spectrum arriving =
       f * li.irradiance *
       LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
-  float pick = importance / lightSum * (1.0f - emitterShare);
-  float weight = 1.0f;
-  if (light.found == 1u) {
-    float lightPdf = pick * PdfLi(light, v.p, li.wi, li.distance);
-    weight = lightPdf / (lightPdf + pdf);
-  }
+  float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }
 

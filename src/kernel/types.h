@@ -303,7 +303,8 @@ struct Light {
   float oneMinusCos;  // directional: of half its angular size
   float factor;       // of the linear falloff
   float range;        // metres; 0: unlimited
-  uint found;         // 1: rays that meet its surface see what SampleLi samples
+  uint found;         // 1: rays that meet its surface, or its disc, see what SampleLi samples
+  uint nextSun;       // the next directional light that has a disc in the sky, or None
 };
 
 // A triangle that glows, one of those that the path tracer samples.
@@ -313,13 +314,22 @@ struct Emitter {
   float last;     // of the powers up to and with this one, added up, as a share of all
 };
 
-// The background, by direction: from `bottom` to `top` over the sine of the elevation.
+// The background, by direction: from `bottom` to `top` over the sine of the elevation, or a map.
 struct Environment {
   Spectrum bottom;
   Spectrum top;
   float sinBottom;
   float sinTop;
-  float ior;  // of the space around the scene
+  float ior;       // of the space around the scene
+  uint visible;    // 1: rays from the camera see it
+  uint map;        // a picture of all directions (environment.h), or None
+  Spectrum scale;  // radiance of the map's 1, W/(sr·m²)
+  float turn;      // of the map about the y axis, in whole turns, counter-clockwise from above
+  float dull;      // the map's brightness that is left to chance (environment.h)
+  float density;   // of sampling, per solid angle, by a weight of 1; 0: it is not sampled
+  float share;     // of the samples of light that go to the map
+  uint tables;     // in the texels, for sampling (scene_environment.h)
+  uint firstSun;   // the first directional light that has a disc in the sky, or None
 };
 
 CONST uint CAMERA_PINHOLE = 0u;

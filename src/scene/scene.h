@@ -38,7 +38,9 @@ struct Light {
   float falloffFactor = 1;  // linear: irradiance = intensity / (distance · factor)
   float range = 0;          // metres, 0 = unlimited
   int samples = 4;          // shadow rays per camera sample, for lights with an extent
-  bool visible = true;      // area lights: seen by the camera and in mirrors
+  // Areas are seen by the camera and in mirrors; so is the disc of a directional light, but, unless it is the
+  // sun of a sky, not by the classic integrator
+  bool visible = true;
   vec3 position{0.0f};  // point, spot; centre of disk and sphere; corner of rectangle and triangle
   vec3 direction{0, -1, 0};  // that the light travels in; the normal of disk; unit length
   vec3 edgeU{1, 0, 0};       // rectangle and triangle; their normal is U × V
@@ -169,6 +171,12 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
+  ImageIndex map = -1;      // of all directions (kernel/environment.h), in place of the colours
+  Spectrum mapScale{1.0f};  // W/(sr·m²) of its 1
+  float rotation = 0;       // of the map: radians about +y, counter-clockwise from above
+  int sun = -1;             // the light that is the sun of a sky; -1: none
+  bool visible = true;      // to the camera; mirrors show it in any case
+  bool ambient = false;     // its mean is ambient light to the classic integrator
 };
 
 enum class Integrator { Whitted, Path };

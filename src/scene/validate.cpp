@@ -40,6 +40,11 @@ class Checker {
     Require(Finite(scene_.environment.bottomElevation) && Finite(scene_.environment.topElevation) &&
                 scene_.environment.bottomElevation < scene_.environment.topElevation,
             "the environment's gradient needs its bottom below its top");
+    Require(scene_.environment.map >= -1 && scene_.environment.map < int(scene_.images.size()) &&
+                scene_.environment.sun >= -1 && scene_.environment.sun < int(scene_.lights.size()),
+            "the environment refers to a picture or a light that does not exist");
+    Require(NonNegative(scene_.environment.mapScale) && Finite(scene_.environment.rotation),
+            "the environment's map needs a finite strength and rotation");
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     for (const Light& light : scene_.lights) CheckLight(light);
@@ -298,6 +303,7 @@ class Checker {
 // Whether any light, emission or background can reach the camera.
 bool HasLight(const Scene& scene) {
   if (!scene.lights.empty()) return true;
+  if (scene.environment.map >= 0) return true;
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {

@@ -69,6 +69,7 @@ struct BruteForceKernel {
 #include "kernel/path.h"
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"

@@ -127,10 +127,57 @@ scene::Scene SoftLights() {
   return builder.Finish();
 }
 
+// Pictures of all directions: dim, with a bright spot that stretches over the border.
+scene::Image Panorama(bool isFloat) {
+  scene::Image image;
+  image.name = "panorama";
+  image.width = 16;
+  image.height = 8;
+  image.srgb = !isFloat;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const bool isBright = y == 2 && (x == 0 || x == 15);
+      const int dim[4] = {40 + 8 * y, 60 + 3 * x, 110 - 10 * y, 255};
+      for (const int code : dim) {
+        if (isFloat) image.floats.push_back(isBright ? 20.0f : float(code) / 255);
+        if (!isFloat) image.bytes.push_back(std::uint8_t(isBright ? 255 : code / 2));
+      }
+    }
+  }
+  return image;
+}
+
+// A turned map, beside a sun whose disc a ball mirrors.
+scene::Scene MapAndSun() {
+  SceneBuilder builder = Corner("MapAndSun");
+  builder.Place(Sphere{vec3(1, 0.2f, 2), 0.6f}, builder.Add(Mirror(Spectrum(0.8f))));
+  builder.environment().map = builder.Add(Panorama(true));
+  builder.environment().mapScale = {1, 0.9f, 0.7f};
+  builder.environment().rotation = 2;
+  builder.environment().sun = 0;
+  builder.environment().ambient = true;
+  scene::Light sun = SunLight(vec3(-0.3f, -1, -1), 2);
+  sun.angularSize = 0.3f;
+  builder.Add(sun);
+  sun.direction = glm::normalize(vec3(0.8f, -1, -0.5f));
+  builder.Add(sun);
+  return builder.Finish();
+}
+
+// A map of few bits alone, which the camera does not see.
+scene::Scene UnseenMap() {
+  SceneBuilder builder = Corner("UnseenMap");
+  builder.Place(Sphere{vec3(1, 0.2f, 2), 0.6f}, builder.Add(Glass(1.5f)));
+  builder.environment().map = builder.Add(Panorama(false));
+  builder.environment().visible = false;
+  builder.environment().ambient = true;
+  return builder.Finish();
+}
+
 }  // namespace
 
 std::vector<scene::Scene> ScenesOfLights() {
-  return {FalloffLaws(), AreaLights(), UnseenAreas(), SoftLights()};
+  return {FalloffLaws(), AreaLights(), UnseenAreas(), SoftLights(), MapAndSun(), UnseenMap()};
 }
 
 }  // namespace snell::agree

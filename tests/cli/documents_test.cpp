@@ -70,6 +70,7 @@ TEST_F(Documents, EachCommandHasAPage) {
                                                                           "--up",
                                                                           "--smooth",
                                                                           "--time",
+                                                                          "--environment",
                                                                           "--allow",
                                                                           "--limit",
                                                                           "--threads",

@@ -13,6 +13,7 @@
 
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_surface.h"

@@ -15,6 +15,7 @@ WhittedBranch branches[WhittedStackSize];
 
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"

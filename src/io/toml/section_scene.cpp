@@ -13,7 +13,6 @@ namespace snell::io {
 
 using glm::dvec3;
 using scene::Camera;
-using scene::Environment;
 using scene::Integrator;
 using scene::PixelFilter;
 using scene::RenderSettings;
@@ -152,50 +151,6 @@ const SectionOf<CameraDraft>& CameraSection() {
   return section;
 }
 
-// --- [environment] ------------------------------------------------------------------------------------------
-
-static void CheckEnvironment(Reader& reader, const Fields& fields, EnvironmentDraft& draft) {
-  if (draft.color) draft.environment.bottom = draft.environment.top = *draft.color;
-  if (draft.environment.bottomElevation < draft.environment.topElevation) return;
-  reader.Report(
-      fmt::format("'bottom_elevation' is not less than 'top_elevation' in {}", fields.title),
-      fields.PlaceOf(fields.Find("top_elevation") ? "top_elevation" : "bottom_elevation"));
-}
-
-static Keys<Environment> GradientKeys() {
-  return {Field("bottom", &Environment::bottom, Color(Brightness::Unlimited),
-                "Radiance at and below `bottom_elevation`.")
-              .Not({"bottom_color", "ground", "low"}),
-          Field("top", &Environment::top, Color(Brightness::Unlimited),
-                "Radiance at and above `top_elevation`.")
-              .Not({"top_color", "sky", "high"}),
-          Field("bottom_elevation", &Environment::bottomElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient begins."),
-          Field("top_elevation", &Environment::topElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient ends.")};
-}
-
-const SectionOf<EnvironmentDraft>& EnvironmentSection() {
-  const auto color = Field("color", &EnvironmentDraft::color, Color(Brightness::Unlimited),
-                           "Radiance from all directions, W/(sr·m²).")
-                         .Standard("by `bottom` and `top`")
-                         .Not({"radiance", "background", "colour"});
-  const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
-                         "Index of refraction of the space around the objects.")
-                       .Not({"index", "refractive_index", "index_of_refraction"});
-  static const SectionOf<EnvironmentDraft> section =
-      SectionOf<EnvironmentDraft>(
-          "environment", "[environment]",
-          "What is behind everything: one colour, or a gradient from bottom to top. It is seen, "
-          "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
-          Join<EnvironmentDraft>({{color},
-                                  Within(&EnvironmentDraft::environment, GradientKeys()),
-                                  Within(&EnvironmentDraft::environment, {ior})}))
-          .OnlyOne({{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}})
-          .Checked(CheckEnvironment);
-  return section;
-}
-
 // --- What a file and a group may hold -----------------------------------------------------------------------
 
 // A key that the reader of files takes itself: only described here.
@@ -269,11 +224,11 @@ const SectionOf<GroupDraft>& GroupSection() {
 
 const std::vector<const Section*>& AllSections() {
   static const std::vector<const Section*> sections = {
-      &FileSection(),          &RenderSection(),   &CameraSection(),       &EnvironmentSection(),
-      &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
-      &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
-      &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &TextureSection(),       &TintSection(),     &ChannelSection()};
+      &FileSection(),     &RenderSection(),        &CameraSection(),   &EnvironmentSection(),
+      &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
+      &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
+      &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
+      &TermSection(),     &TextureSection(),       &TintSection(),     &ChannelSection()};
   return sections;
 }
 

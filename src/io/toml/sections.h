@@ -14,6 +14,7 @@
 
 #include "io/toml/table.h"
 #include "scene/scene.h"
+#include "scene/sky/sky.h"
 
 namespace snell::io {
 
@@ -222,9 +223,25 @@ struct CameraDraft {
   std::optional<vec3> direction;
 };
 
+struct SkyDraft {
+  scene::SkyModel model;  // what the others say, when all is read
+  float elevation = 45 * 0.0174532925199f;
+  float azimuth = 135 * 0.0174532925199f;
+  std::optional<vec3> direction;
+  std::optional<double> time;  // scene/sky/sun_position.h
+  std::optional<float> latitude;
+  std::optional<float> longitude;
+  float turbidity = 2.5f;
+  Spectrum ground{0.2f};
+  bool sun = true;
+};
+
 struct EnvironmentDraft {
   scene::Environment environment;
   std::optional<Spectrum> color;
+  std::optional<std::filesystem::path> map;
+  std::optional<SkyDraft> sky;
+  float strength = 1;
 };
 
 // What a file and a group may define; the reader takes these keys itself.
@@ -234,8 +251,12 @@ struct GroupDraft {};
 const SectionOf<RenderDraft>& RenderSection();
 const SectionOf<CameraDraft>& CameraSection();
 const SectionOf<EnvironmentDraft>& EnvironmentSection();
+const SectionOf<SkyDraft>& SkySection();
 const SectionOf<FileDraft>& FileSection();
 const SectionOf<GroupDraft>& GroupSection();
+
+// Make it the scene's: loads its map, computes its sky.
+void PlaceEnvironment(Reader& reader, const Fields& fields, const EnvironmentDraft& draft);
 
 // All sections, in the order of the reference page.
 const std::vector<const Section*>& AllSections();
