@@ -38,7 +38,7 @@ class Course {
 
   Query RandomQuery(Random& random) const {
     const vec3 o(lower_ + (upper_ - lower_) * (random.InCube() * 0.5 + 0.5));
-    if (random.Chance(0.5)) return {{o, vec3(random.Direction())}, kernel::Infinite};
+    if (random.Chance(0.5)) return {{o, vec3(random.Direction()), 0}, kernel::Infinite};
 
     // At a vertex or at a point of an edge
     const kernel::Triangle& t = scene_.triangles[random.Index(unsigned(scene_.triangles.size()))];
@@ -47,7 +47,7 @@ class Course {
     const vec3 b = Placed(scene_.positions[t.v1], placement);
     const vec3 target =
         random.Chance(0.5) ? a : vec3(dvec3(a) + (dvec3(b) - dvec3(a)) * random.Uniform());
-    return {{o, target - o}, kernel::Infinite};
+    return {{o, target - o, 0}, kernel::Infinite};
   }
 
   // Whether the nearest hit at t, or none if t is infinite, differs from the truth by no more than rounding.

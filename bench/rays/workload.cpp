@@ -106,10 +106,10 @@ std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer
   if (seen.empty()) throw Error(fmt::format("the camera sees nothing of {}", scene.name));
 
   const auto bounce = [&](const Start& start) {
-    return Query{{start.p, CosineDirection(start.n, random)}, kernel::Infinite};
+    return Query{{start.p, CosineDirection(start.n, random), 0}, kernel::Infinite};
   };
   const auto toLight = [&](const Start& start) {
-    return Query{{start.p, scene.light - start.p}, 0.9999f};
+    return Query{{start.p, scene.light - start.p, 0}, 0.9999f};
   };
   // The middle distance of what is seen
   std::vector<float> distances;
@@ -117,7 +117,7 @@ std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer
   std::ranges::nth_element(distances, distances.begin() + std::ptrdiff_t(distances.size() / 2));
   const float reach = 0.05f * distances[distances.size() / 2];
   const auto shortBounce = [&](const Start& start) {
-    return Query{{start.p, CosineDirection(start.n, random)}, reach};
+    return Query{{start.p, CosineDirection(start.n, random), 0}, reach};
   };
 
   const std::vector<Query> diffuse = RaysFrom(seen, count, bounce);

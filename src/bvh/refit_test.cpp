@@ -127,7 +127,7 @@ std::uint64_t WrongHits(Bvh& bvh, const Geometry& geometry, const std::vector<ve
     for (std::uint32_t i = 0; i < geometry.triangles.size(); ++i) {
       const kernel::Triangle& t = geometry.triangles[i];
       const vec3 middle = (sound[t.v0] + sound[t.v1] + sound[t.v2]) / 3.0f;
-      const Ray ray{middle + vec3(0, 1, 0), vec3(0, -1, 0)};
+      const Ray ray{middle + vec3(0, 1, 0), vec3(0, -1, 0), 0};
       const bool isGone = gone[t.v0] || gone[t.v1] || gone[t.v2];
       wrong += bvh.Closest(ray, Infinite).primitive != (isGone ? None : i);
       wrong += bvh.Any(ray, Infinite) == isGone;

@@ -135,7 +135,7 @@ TEST(HugeCoordinates, AreStillHitUpTo1e12) {
     int hits = 0;
     for (int i = 0; i < 500; ++i) {
       const glm::dvec3 o = random.Direction() * (2 * size);
-      const Ray ray{vec3(o), vec3(glm::normalize(soup.PointOnSurface(random) - o))};
+      const Ray ray{vec3(o), vec3(glm::normalize(soup.PointOnSurface(random) - o)), 0};
       const Hit expected = brute.ClosestHit(ray, Infinite, MASK_ALL);
       hits += expected.primitive != None;
       EXPECT_EQ(PrimitiveHit(bvh, ray), expected.primitive) << size;
@@ -155,7 +155,7 @@ TEST(BadRays, NeverCrashAndHitNothing) {
     for (const float bad : {NaN, Inf, -Inf}) {
       for (int places = 1; places < 64; ++places) {
         // Any set of the six numbers
-        Ray ray{vec3(random.InCube()), vec3(random.Direction())};
+        Ray ray{vec3(random.InCube()), vec3(random.Direction()), 0};
         for (int i = 0; i < 6; ++i) {
           if (places >> i & 1) (i < 3 ? ray.o : ray.d)[i % 3] = bad;
         }
@@ -170,7 +170,7 @@ TEST(Ranges, ThatAreEmptyHoldNoHit) {
   Soup soup;
   soup.AddTriangle(vec3(-1, -1, 0), vec3(1, -1, 0), vec3(0, 1, 0));
   Bvh bvh(soup.Geometry());
-  const Ray ray{vec3(0, 0, -2), vec3(0, 0, 1)};
+  const Ray ray{vec3(0, 0, -2), vec3(0, 0, 1), 0};
   EXPECT_EQ(PrimitiveHit(bvh, ray, 2.0f), 0u);
   for (const float tMax : {0.0f, -0.0f, -1.0f, -Inf, NaN, 1e-45f, 1.9999998f})
     EXPECT_EQ(PrimitiveHit(bvh, ray, tMax), None) << tMax;

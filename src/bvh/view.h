@@ -49,6 +49,7 @@ struct View {
   const kernel::Shape* shapes = nullptr;
   const kernel::Instance* instances = nullptr;
   const kernel::Object* objects = nullptr;  // none: everything is seen by every ray
+  const kernel::MotionKey* motions = nullptr;  // none: nothing moves
   HitFilter filter;
 };
 

@@ -16,7 +16,7 @@ inline Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
           flat.tangents.data(),  flat.colors.data(),    flat.materials.data(),
           flat.terms.data(),     flat.physicals.data(), flat.textures.data(),
           flat.images.data(),    flat.texels.data(),    flat.lights.data(),
-          flat.emitters.data(),  flat.albedos.data(),   bvh};
+          flat.emitters.data(),  flat.albedos.data(),   flat.motions.data(), bvh};
 }
 
 }  // namespace snell::cpu

@@ -34,6 +34,7 @@ struct Kernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const MotionKey* motions;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
@@ -49,6 +50,7 @@ struct Kernel {
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"

@@ -21,7 +21,9 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
   vec2 lens = vec2(0.0f, 0.0f);
   if (HasLens(params.camera)) lens = PathSample2D(s);
-  CameraRay start = GenerateRay(params.camera, place, lens);
+  float time = 0.0f;
+  if (params.moving == 1u) time = PathSample2D(s).x;
+  CameraRay start = CameraRayAt(place, lens, time);
   s.ray = start.ray;
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
@@ -121,7 +123,8 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
   if (!IsBlack(Le)) {
     float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
+    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE &&
+        object.motion == None) {
       float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }

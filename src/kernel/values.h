@@ -15,6 +15,7 @@
 #include "kernel/interface.h"
 #include "kernel/light.h"
 #include "kernel/medium.h"
+#include "kernel/motion.h"
 #include "kernel/path_state.h"
 #include "kernel/path_vertex.h"
 #include "kernel/pattern.h"

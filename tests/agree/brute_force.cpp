@@ -63,6 +63,7 @@ struct BruteForceKernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const MotionKey* motions;
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
@@ -72,6 +73,7 @@ struct BruteForceKernel {
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
@@ -119,7 +121,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
                           scene.physicals.data(), scene.textures.data(),
                           scene.images.data(),    scene.texels.data(),
                           scene.lights.data(),    scene.emitters.data(),
-                          scene.albedos.data(),   {}};
+                          scene.albedos.data(),   scene.motions.data(),   {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

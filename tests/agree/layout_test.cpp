@@ -72,7 +72,11 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Object",
        {sizeof(Object),
         {MEMBER(Object, material), MEMBER(Object, mask), MEMBER(Object, light),
-         MEMBER(Object, toWorld)}}},
+         MEMBER(Object, motion), MEMBER(Object, motionSteps), MEMBER(Object, toWorld)}}},
+      {"MotionKey",
+       {sizeof(MotionKey),
+        {MEMBER(MotionKey, x), MEMBER(MotionKey, y), MEMBER(MotionKey, z),
+         MEMBER(MotionKey, origin)}}},
       {"Shape",
        {sizeof(Shape),
         {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, mapped), MEMBER(Shape, a),
@@ -162,13 +166,15 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Camera, position), MEMBER(Camera, right), MEMBER(Camera, up),
          MEMBER(Camera, forward), MEMBER(Camera, extent), MEMBER(Camera, center),
          MEMBER(Camera, rim), MEMBER(Camera, aperture), MEMBER(Camera, focus),
-         MEMBER(Camera, blades), MEMBER(Camera, bladeAngle)}}},
+         MEMBER(Camera, blades), MEMBER(Camera, bladeAngle),
+         MEMBER(Camera, motion), MEMBER(Camera, motionSteps)}}},
       {"RenderParams",
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
          MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
          MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
+         MEMBER(RenderParams, moving),
          MEMBER(RenderParams, minContribution), MEMBER(RenderParams, seed),
          MEMBER(RenderParams, coneWidth), MEMBER(RenderParams, coneSpread),
          MEMBER(RenderParams, filterQuantiles)}}},
@@ -216,7 +222,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 17u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 18u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

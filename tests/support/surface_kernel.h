@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "kernel/camera.h"
+#include "kernel/motion.h"
 #include "kernel/shape.h"
 #include "kernel/triangle.h"
 #include "support/meshes.h"
@@ -24,7 +26,11 @@ struct SurfaceKernel {
   const vec4* colors = nullptr;
   const Instance* instances = nullptr;
   const Shape* shapes = nullptr;
+  const Object* objects = nullptr;
+  const MotionKey* motions = nullptr;
+  RenderParams params = {};
 
+#include "kernel/scene_motion.h"
 #include "kernel/scene_surface.h"
 };
 
