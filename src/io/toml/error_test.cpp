@@ -173,25 +173,6 @@ const Mistake Values[] = {
     {"[camera]\nposition = [0, 5, 0]",
      "1:1: 'up' is parallel to the line of sight in [camera] (pinhole); give another 'up', such as "
      "[0, 0, -1]"},
-    {"[camera]\nblades = 5",
-     "2:10: 'blades' has no effect without an aperture in [camera] (pinhole); give "
-     "'aperture_radius', or a pinhole's 'f_stop'"},
-    {"[camera]\ndirection = [0, 0, -1]\nf_stop = 4",
-     "1:1: nothing tells where the lens is in focus in [camera] (pinhole); give 'focus_distance' "
-     "or 'focus_at'"},
-    {"[camera]\nf_stop = 4\nfocus_at = [0, 0, 9]",
-     "3:12: 'focus_at' is not in front of the camera in [camera] (pinhole)"},
-    {"[camera]\naperture_radius = 1\nblades = 2",
-     "3:10: an aperture has 3 blades or more, or is round (0) in [camera] (pinhole)"},
-    {"[camera]\nfov = 40\nfocal_length = 50",
-     "3:1: 'fov' and 'focal_length' exclude each other in [camera] (pinhole)"},
-    {"[camera]\ntype = \"panorama\"\nlongitude = [0, 400]",
-     "3:13: 'longitude' needs two different angles, at most 360 degrees apart, in [camera] "
-     "(panorama)"},
-    {"[camera]\ntype = \"panorama\"\nlatitude = [30, 0]",
-     "3:12: the first angle of 'latitude' must be the smaller one in [camera] (panorama)"},
-    {"[camera]\ntype = \"fisheye\"\nprojection = \"stereographic\"\nfov = 360",
-     "4:7: a stereographic fisheye sees less than 359 degrees in [camera] (fisheye)"},
     {"[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"", "4:8: two cameras have the name 'a'"},
     {"[environment]\ncolor = [0, -1, 0]", "2:13: 'color': expected a number >= 0, found -1"},
     {"[environment]\nbottom_elevation = 30\ntop_elevation = 10",

@@ -69,15 +69,7 @@ static void FinishLens(Reader& reader, const Fields& fields, CameraDraft& draft)
     reader.Report(
         fmt::format("an aperture has 3 blades or more, or is round (0) in {}", fields.title),
         fields.PlaceOf("blades"));
-  if (draft.camera.lens.radius > 0) return FinishFocus(reader, fields, draft);
-  if (fields.Find("aperture_radius")) return;  // 0: the lens is switched off
-  for (const char* key :
-       {"focus_distance", "focus_at", "blades", "blade_rotation", "aperture_ratio"}) {
-    if (!fields.Find(key)) continue;
-    reader.Report(fmt::format("'{}' has no effect without an aperture in {}", key, fields.title),
-                  fields.PlaceOf(key), "give 'aperture_radius', or a pinhole's 'f_stop'");
-    return;
-  }
+  if (draft.camera.lens.radius > 0) FinishFocus(reader, fields, draft);
 }
 
 static void FinishPinhole(Reader& reader, const Fields& fields, CameraDraft& draft) {
@@ -92,11 +84,6 @@ static void FinishPinhole(Reader& reader, const Fields& fields, CameraDraft& dra
     camera.fovAxis = scene::FovAxis::Horizontal;
     camera.fov = *draft.horizontalFov;
     focalLength = 1.5 * half / std::tan(double(camera.fov) / 2);
-  } else if (fields.Find("sensor_height") && !draft.fStop) {
-    reader.Report(
-        fmt::format("'sensor_height' has no effect without 'focal_length' or 'f_stop' in {}",
-                    fields.title),
-        fields.PlaceOf("sensor_height"));
   }
   if (draft.fStop) camera.lens.radius = float(focalLength / double(*draft.fStop) / 2 * 1e-3);
   FinishLens(reader, fields, draft);
@@ -149,6 +136,7 @@ static Keys<CameraDraft> ViewKeys() {
 static Keys<CameraDraft> LensKeys() {
   const auto blades = Field("blades", &Lens::blades, Integer(0, 64),
                             "Corners of the aperture, from 3 on; 0: it is round.")
+                          .Example("5")
                           .Not({"aperture_blades", "bokeh_blades"});
   const auto rotation =
       Field("blade_rotation", &Lens::bladeRotation, Degrees({-360, 360}),
@@ -164,7 +152,8 @@ static Keys<CameraDraft> LensKeys() {
       Field("shift", &Camera::shift, TexturePoint(),
             "Moves the view without turning it, in widths and heights of the picture; "
             "[0, 0.5] puts the horizon on the lower edge and keeps walls upright.")
-          .Example("[0, 0.25]");
+          .Example("[0, 0.25]")
+          .Standard("none");
   const auto distance = Field("focus_distance", &CameraDraft::focusDistance, Number(Positive, "m"),
                               "How far along the line of sight things are sharp.")
                             .Standard("that of `look_at`")
