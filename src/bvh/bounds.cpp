@@ -103,7 +103,8 @@ static Bounds MovingBounds(const Geometry& geometry, std::uint32_t object,
                            std::span<const Bounds> parts) {
   const kernel::Object& mover = geometry.objects[object];
   vec3 reach(0.0f);
-  for (const Bounds& part : parts) reach = glm::max(reach, glm::max(Abs(part.lower), Abs(part.upper)));
+  for (const Bounds& part : parts)
+    reach = glm::max(reach, glm::max(Abs(part.lower), Abs(part.upper)));
   Bounds bounds;
   float margin = 0;
   for (std::uint32_t i = 0; i <= mover.motionSteps; ++i) {

@@ -48,8 +48,8 @@ class Refitter {
       } else {
         PlacedTree& placed = arrays_.placed[i];
         PackInstance(placed, placed.instance, geometry_);
-        bounds = PlacedBounds(geometry_, geometry_.instances[placed.instance],
-                              treeBoxes_[placed.tree]);
+        bounds =
+            PlacedBounds(geometry_, geometry_.instances[placed.instance], treeBoxes_[placed.tree]);
       }
       if (bounds.Finite()) box.Extend(BoxOf(bounds));
     }

@@ -209,7 +209,8 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
     if ((placed.mask & mask) == 0) continue;
     if (placed.mover != None) {
       const Ray local = RayToMover(view, placed.mover, ray);
-      if (TraverseChoosily<AnyHit>(view, view.trees[placed.tree], local, placed.instance, mask, best))
+      if (TraverseChoosily<AnyHit>(view, view.trees[placed.tree], local, placed.instance, mask,
+                                   best))
         return true;
       continue;
     }

@@ -25,7 +25,8 @@ void FlattenEmitters(FlatScene& flat) {
   const auto add = [&](uint index, uint object, uint instance, const Transform* toWorld) {
     const Object& of = flat.objects[object];
     const float brightness = MaxChannel(flat.materials[of.material].emission);
-    if (brightness <= 0 || (of.mask & MASK_SECONDARY) == 0 || of.light != None) return;
+    if (brightness <= 0 || (of.mask & MASK_SECONDARY) == 0 || of.light != None || of.motion != None)
+      return;
     const double power = AreaOf(flat, flat.triangles[index], toWorld) * double(brightness);
     if (!(power > 0)) return;
     flat.emitters.push_back({index, instance, 0});

@@ -326,8 +326,8 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       flat.materials.push_back(black);
     }
     const uint object = uint(flat.objects.size());
-    flat.objects.push_back(
-        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0))});
+    flat.objects.push_back({lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, None, 0,
+                            ToTransform(scene::Affine(1.0))});
     AppendSurface(light, object, flat);
   }
   flat.params.lightCount = uint(flat.lights.size());

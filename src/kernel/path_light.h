@@ -101,8 +101,8 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, float cho
   float sourcePdf = PdfEmitter(material, source, ray.d, distance);
   s.rays.shadow += 1u;
   float reach = DistanceToLight(v.p, point, source.n, ray.d, distance);
-  return f * Le * LightTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d),
-                                     ray.time) *
+  return f * Le *
+         LightTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d), ray.time) *
          (1.0f / (sourcePdf + pdf));
 }
 
@@ -123,9 +123,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  Spectrum arriving =
-      f * li.irradiance *
-      LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi), s.ray.time);
+  Spectrum arriving = f * li.irradiance *
+                      LightTransmittance(VertexStart(v, li.wi), li.wi, li.distance,
+                                         VertexMedia(v, li.wi), s.ray.time);
   float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
   if (light.found == 1u) {

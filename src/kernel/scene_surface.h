@@ -37,8 +37,8 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     vec3 world = ToWorldPoint(place, it.p);
     vec3 error = ToWorldPointError(place, it.p, it.pError, world);
     if (IsMoving(instances[hit.instance].object)) error += InverseError(place, world);
-    reach = vec3(Dot(Abs(place.rowX), error), Dot(Abs(place.rowY), error),
-                 Dot(Abs(place.rowZ), error));
+    reach =
+        vec3(Dot(Abs(place.rowX), error), Dot(Abs(place.rowY), error), Dot(Abs(place.rowZ), error));
   }
   vec3 inset = InsetTrianglePoint(vec3(th.b0, th.b1, th.b2), p0, p1, p2,
                                   4.0f * (reach.x + reach.y + reach.z));
@@ -111,8 +111,7 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     it.dpdu = ToWorldVector(place, it.dpdu);
     it.dpdv = ToWorldVector(place, it.dpdv);
     it.tangent = ToWorldVector(place, it.tangent);
-    if (Dot(Cross(place.x, place.y), place.z) < 0.0f)
-      it.handedness = -it.handedness;
+    if (Dot(Cross(place.x, place.y), place.z) < 0.0f) it.handedness = -it.handedness;
     areaVector = Cross(ToWorldVector(place, e1), ToWorldVector(place, e2));
   }
   it.uvDensity = sqrt(uvArea / Max(Length(areaVector), 1e-30f));

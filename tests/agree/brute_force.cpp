@@ -111,17 +111,29 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,           CountsOf(scene),
-                          scene.objects.data(),   scene.shapes.data(),
-                          scene.instances.data(), scene.meshes.data(),
-                          scene.triangles.data(), scene.positions.data(),
-                          scene.normals.data(),   scene.uvs.data(),
-                          scene.tangents.data(),  scene.colors.data(),
-                          scene.materials.data(), scene.terms.data(),
-                          scene.physicals.data(), scene.textures.data(),
-                          scene.images.data(),    scene.texels.data(),
-                          scene.lights.data(),    scene.emitters.data(),
-                          scene.albedos.data(),   scene.motions.data(),   {}};
+  BruteForceKernel kernel{scene.params,
+                          CountsOf(scene),
+                          scene.objects.data(),
+                          scene.shapes.data(),
+                          scene.instances.data(),
+                          scene.meshes.data(),
+                          scene.triangles.data(),
+                          scene.positions.data(),
+                          scene.normals.data(),
+                          scene.uvs.data(),
+                          scene.tangents.data(),
+                          scene.colors.data(),
+                          scene.materials.data(),
+                          scene.terms.data(),
+                          scene.physicals.data(),
+                          scene.textures.data(),
+                          scene.images.data(),
+                          scene.texels.data(),
+                          scene.lights.data(),
+                          scene.emitters.data(),
+                          scene.albedos.data(),
+                          scene.motions.data(),
+                          {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

@@ -43,7 +43,7 @@ void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
         Bytes(scene.normals),   Bytes(scene.uvs),    Bytes(scene.tangents),  Bytes(scene.colors),
         Bytes(scene.materials), Bytes(scene.terms),  Bytes(scene.physicals), Bytes(scene.textures),
         Bytes(scene.images),    Bytes(scene.texels), Bytes(scene.lights),    Bytes(scene.emitters),
-        Bytes(scene.albedos),  Bytes(scene.motions)})
+        Bytes(scene.albedos),   Bytes(scene.motions)})
     buffers_.emplace_back(device_, content);
   buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
   program_.Bind(buffers_);

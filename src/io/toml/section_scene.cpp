@@ -192,7 +192,7 @@ const std::vector<const Section*>& AllSections() {
       &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
       &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
       &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &TextureSection(),       &TintSection()};
+      &TextureSection(),       &TintSection(),     &MotionKeySection(),    &CameraKeySection()};
   return sections;
 }
 
