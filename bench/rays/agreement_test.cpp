@@ -65,7 +65,7 @@ class Course {
     for (int i = 0; i < 8 && !excused; ++i) {
       const double angle = i * 0.7853981633974483;
       const dvec3 out = side * std::cos(angle) + glm::cross(d, side) * std::sin(angle);
-      const Query neighbour{{vec3(o + out * distance), query.ray.d}, query.tMax};
+      const Query neighbour{{vec3(o + out * distance), query.ray.d, 0}, query.tMax};
       excused = bruteForce_.Trace(neighbour).nearest >= (passed + double(t)) / 2;
     }
     return excused;
@@ -122,7 +122,7 @@ TEST_P(WithEmbree, HitsAreTheSame) {
       ++judged;
       wrongEmbree += !course.IsRight(queries[i], theirs[i].t);
       if (!course.IsRight(queries[i], ours[i].t) && wrong++ == 0) {
-        const auto& [o, d] = queries[i].ray;
+        const auto& [o, d, time] = queries[i].ray;
         ADD_FAILURE() << "ray from " << std::hexfloat << o.x << " " << o.y << " " << o.z
                       << " towards " << d.x << " " << d.y << " " << d.z << std::defaultfloat
                       << ": Snell " << ours[i].t << ", Embree " << theirs[i].t;

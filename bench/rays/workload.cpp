@@ -61,7 +61,7 @@ std::vector<Query> PrimaryRays(const Scene& scene, std::size_t count, Random& ra
     const float x = (float(column) + random.UniformFloat()) / float(side) * 2 - 1;
     const float y = 1 - (float(row) + random.UniformFloat()) / float(side) * 2;
     const vec3 d = kernel::Normalize(forward + (right * x + up * y) * scene.halfHeight);
-    queries.push_back({{scene.eye, d}, kernel::Infinite});
+    queries.push_back({{scene.eye, d, 0}, kernel::Infinite});
   }
   return queries;
 }

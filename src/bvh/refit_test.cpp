@@ -193,9 +193,9 @@ TEST(RefitWithoutNumbers, LosesOnlyTheShapesAndInstancesThatHaveNone) {
         bvh.Use(set);
         for (std::uint32_t i = 0; i < 6; ++i) {
           const float x = 4 * float(i) + 0.25f;
-          const Intersection onShape = bvh.Closest({vec3(x, 9, 0.1f), vec3(0, -1, 0)}, Infinite);
+          const Intersection onShape = bvh.Closest({vec3(x, 9, 0.1f), vec3(0, -1, 0), 0}, Infinite);
           wrongShapes += onShape.primitive != (i == gone ? None : i);
-          const Intersection onCube = bvh.Closest({vec3(x, 9, 4.1f), vec3(0, -1, 0)}, Infinite);
+          const Intersection onCube = bvh.Closest({vec3(x, 9, 4.1f), vec3(0, -1, 0), 0}, Infinite);
           wrongInstances += onCube.instance != (i == gone ? None : i);
         }
       }

@@ -44,7 +44,7 @@ TEST(EmptyBvh, IsMissedByEveryRay) {
   EXPECT_EQ(bvh.droppedPrimitives(), 0u);
   Random random(720);
   for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(random.InCube()), vec3(random.Direction())}), None);
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(random.InCube()), vec3(random.Direction()), 0}), None);
 }
 
 TEST(EmptyBvh, MayHoldInstancesOfNothing) {
@@ -53,7 +53,7 @@ TEST(EmptyBvh, MayHoldInstancesOfNothing) {
   soup.AddInstance(soup.AddMesh(test::TriangleMesh{{vec3(NaN)}, {{0, 0, 0}}}), glm::dmat4(1.0));
   Bvh bvh(soup.Geometry());
   EXPECT_EQ(bvh.droppedPrimitives(), 1u);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -5), vec3(0, 0, 1)}), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -5), vec3(0, 0, 1), 0}), None);
 }
 
 TEST(EmptyBvh, MayHoldPlanesAlone) {
@@ -63,9 +63,9 @@ TEST(EmptyBvh, MayHoldPlanesAlone) {
   plane.toWorld = test::ToKernel(glm::dmat4(1.0));
   soup.AddShape(plane);
   Bvh bvh(soup.Geometry());
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0)}), 0u);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0)}, 1.99f), None);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 2, 0), vec3(0, 1, 0)}), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0), 0}), 0u);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0), 0}, 1.99f), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 2, 0), vec3(0, 1, 0), 0}), None);
 }
 
 TEST(DroppedPrimitives, AreThoseWithoutFiniteCoordinates) {
@@ -98,7 +98,7 @@ TEST(DroppedPrimitives, AreThoseWithoutFiniteCoordinates) {
   Bvh bvh(soup.Geometry());
   EXPECT_EQ(bvh.droppedPrimitives(), bad + spoilt + 1);
   for (std::uint32_t i = 1; i <= bad; ++i)
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(2 * float(i) + 0.2f, 0.2f, 9), vec3(0, 0, -1)}, 10.0f),
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(2 * float(i) + 0.2f, 0.2f, 9), vec3(0, 0, -1), 0}, 10.0f),
               2 * i - 1);
 }
 
@@ -162,7 +162,7 @@ TEST(BadRays, NeverCrashAndHitNothing) {
         EXPECT_EQ(PrimitiveHit(bvh, ray), None) << bad << " at " << places;
       }
     }
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -9), vec3(0)}), None);
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -9), vec3(0), 0}), None);
   }
 }
 

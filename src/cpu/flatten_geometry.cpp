@@ -243,7 +243,6 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
   // Meshes used more often, and their instances
   std::vector<uint> firstTriangle(uses.size(), None);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const scene::Object& object = scene.objects[i];
     if (finer.meshOf[i] < 0 || uses[std::size_t(finer.meshOf[i])] < 2) continue;
     const scene::Mesh& mesh = finer.MeshOf(scene, i);
     uint& first = firstTriangle[std::size_t(finer.meshOf[i])];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where objects and the camera are at a moment. Reads the objects, instances and the keys of their motion.
+// Where objects are at a moment. Reads the objects, instances and the keys of their motion.
 #ifndef SNELL_KERNEL_SCENE_MOTION_H
 #define SNELL_KERNEL_SCENE_MOTION_H
 
@@ -36,21 +36,6 @@ SCENE_FN SurfaceInteraction MovingShapeSurface(IN(Shape) shape, IN(Ray) ray) {
   Ray local = ToLocalRay(place, ray.o, ray.d);
   float t = IntersectShape(shape, local.o, local.d);
   return MovedSurface(place, ShapeSurface(shape, local.o, local.d, t));
-}
-
-// The camera's ray at a moment, through a point of the picture and one of the lens.
-SCENE_FN CameraRay CameraRayAt(vec2 pixel, vec2 lens, float time) {
-  Camera camera = params.camera;
-  if (camera.motion != None) {
-    Transform place = MotionAt(camera.motion, camera.motionSteps, time);
-    camera.position = place.origin;
-    camera.forward = Normalize(place.z);
-    camera.right = Normalize(Cross(camera.forward, place.y));
-    camera.up = Cross(camera.right, camera.forward);
-  }
-  CameraRay start = GenerateRay(camera, pixel, lens);
-  start.ray.time = time;
-  return start;
 }
 
 #endif

@@ -70,6 +70,7 @@ struct BruteForceKernel {
 #include "kernel/path.h"
 #include "kernel/path_light.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"

@@ -125,7 +125,7 @@ TEST(Motion, OfTheCameraIsThatOfEverythingElse) {
   const std::string ball =
       "[[object]]\nshape = 'sphere'\ncenter = [0, 0, 0]\nradius = 0.7\nmaterial = { type = "
       "'classic', "
-      "emission = { texture = 'checker' } }\n";
+      "emission = 'checker' }\n";
   const auto head = [](const char* camera) {
     return fmt::format(
         "[render]\nsize = [24, 18]\nspp = 64\n[camera]\nposition = [0, 0, 4]\n"

@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "kernel/camera.h"
 #include "kernel/motion.h"
 #include "kernel/shape.h"
 #include "kernel/triangle.h"
@@ -28,7 +27,6 @@ struct SurfaceKernel {
   const Shape* shapes = nullptr;
   const Object* objects = nullptr;
   const MotionKey* motions = nullptr;
-  RenderParams params = {};
 
 #include "kernel/scene_motion.h"
 #include "kernel/scene_surface.h"

@@ -11,6 +11,7 @@
 #include "gpu/shaders/buffers.glsl"
 #include "gpu/shaders/brute_force.glsl"
 
+#include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_texture.h"

@@ -13,6 +13,7 @@
 
 WhittedBranch branches[WhittedStackSize];
 
+#include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_terminator.h"
