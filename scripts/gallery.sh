@@ -18,7 +18,7 @@ Shading: ambient diffuse specular phong
 Light: light_directional light_point light_spot falloff light_colors
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
-Cameras: depth_of_field fisheye
+Cameras: depth_of_field motion_blur fisheye
 Glass: refraction total_reflection absorption glass_of_water
 All together: finale'
 
