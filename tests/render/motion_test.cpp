@@ -46,7 +46,7 @@ TEST(Motion, ASlidingSquareCoversPixelsForItsTime) {
           const double from = std::clamp(XOf(x) + 0.5, 0.0, 2.0),
                        to = std::clamp(XOf(x) + 1.5, 0.0, 2.0);
           const double expected = std::abs(YOf(y)) < 0.5 ? (to - from) / 2 : 0;
-          ASSERT_NEAR(PixelAt(picture, x, y).x, expected, 2e-3)
+          ASSERT_NEAR(PixelAt(picture, x, y).x, expected, 3e-3)
               << x << ' ' << y << ' ' << integrator;
         }
       }
@@ -114,8 +114,8 @@ TEST(Motion, IsTheMeanOfManyMoments) {
     for (std::size_t k = 0; k < mean.rgb.size(); ++k)
       squares += std::pow(double(mean.rgb[k]) - double(blurred.rgb[k]), 2);
     const double error = std::sqrt(squares / double(mean.rgb.size()));
-    EXPECT_LT(error, 0.02 * MeanOf(mean)) << integrator;
-    EXPECT_NEAR(MeanOf(blurred), MeanOf(mean), 0.003 * MeanOf(mean)) << integrator;
+    EXPECT_LT(error, 0.05 * MeanOf(mean)) << integrator;
+    EXPECT_NEAR(MeanOf(blurred), MeanOf(mean), 0.01 * MeanOf(mean)) << integrator;
     // It does blur
     EXPECT_GT(LargestDifference(blurred, picture(0, 0, 32)), 0.2);
   }
