@@ -9,6 +9,7 @@
 #include "cpu/flatten.h"
 #include "scene/bounds.h"
 #include "scene/framing.h"
+#include "scene/settings.h"
 #include "util/text.h"
 #include "util/timer.h"
 
@@ -131,7 +132,10 @@ SceneInfo Inspect(const Scene& opened) {
   info.name = scene.name;
   info.width = scene.settings.width;
   info.height = scene.settings.height;
-  info.spp = scene.settings.spp;
+  scene::RenderSettings settings = scene.settings;
+  scene::Resolve(scene, settings);
+  info.spp = settings.spp;
+  info.integrator = settings.integrator == scene::Integrator::Path ? "path" : "whitted";
   for (const scene::Camera& camera : scene.cameras) info.cameras.push_back(Describe(camera));
   for (const scene::Light& light : scene.lights) {
     info.lights.push_back(

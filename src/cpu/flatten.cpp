@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu/flatten.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -8,11 +9,16 @@
 #include "bvh/bounds.h"
 #include "cpu/albedo_tables.h"
 #include "cpu/flatten_camera.h"
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_emitters.h"
+#include "cpu/flatten_environment.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_light_tree.h"
+#include "cpu/flatten_medium.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
+#include "scene/settings.h"
 
 namespace snell::cpu {
 
@@ -32,11 +38,9 @@ std::uint64_t FlatScene::TextureBytes() const {
 }
 
 std::uint64_t FlatScene::MemoryBytes() const {
-  return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
-         BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
-         BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         BytesOf(motions) + TextureBytes();
+  std::uint64_t bytes = 0;
+  VisitBuffers([&](const auto& buffer) { bytes += BytesOf(buffer); });
+  return bytes;
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -48,9 +52,9 @@ Transform ToTransform(const scene::Affine& m) {
   return {column(0), column(1), column(2), column(3), row(0), row(1), row(2)};
 }
 
-static Environment FlattenEnvironment(const scene::Environment& environment) {
-  return {environment.bottom, environment.top, std::sin(environment.bottomElevation),
-          std::sin(environment.topElevation), environment.ior};
+// The power of two from the samples per pixel on.
+static uint SamplesLog2(int spp) {
+  return std::min(uint(std::bit_width(uint(std::max(spp, 1) - 1))), 20u);
 }
 
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
@@ -58,27 +62,40 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlatScene flat;
   flat.params = {};
   FlattenCamera(camera, settings, flat);
-  flat.params.environment = FlattenEnvironment(scene.environment);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
+  flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
+  flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
+  flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
+  flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
+  flat.params.samplesLog2 = SamplesLog2(settings.spp);
+  flat.params.lightSampling =
+      settings.lightSampling == scene::LightSampling::Power ? LIGHTS_BY_POWER : LIGHTS_BY_TREE;
 
+  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   FlattenMaterials(scene, flat);
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  flat.integrator = settings.integrator;
-  const bool isPath = settings.integrator == scene::Integrator::Path;
-  if (isPath) flat.albedos = AlbedoTables();
+  const bool isPath = flat.integrator == scene::Integrator::Path;
+  if (isPath) {
+    flat.albedos = AlbedoTables();
+    FlattenClosureTextures(scene, flat);
+  }
   FlattenObjects(scene, finer,
                  isPath                   ? ShadowRays::Path
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
                  {camera.shutterOpen, camera.shutterClose}, flat);
-  if (isPath) FlattenEmitters(flat);
+  if (isPath) {
+    FlattenEmitters(flat);
+    FlattenLightTree(flat);
+  }
+  FlattenEnvironment(scene.environment, flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -10,6 +10,7 @@
 #include "kernel/math.h"
 #include "scene/camera.h"
 #include "scene/motion.h"
+#include "scene/settings.h"
 
 namespace snell::cpu {
 
@@ -47,7 +48,8 @@ void FlattenLens(const scene::Lens& lens, Camera& flat) {
 // detail need not smooth again (pbrt-v4, section 10.1.2). Pixels of panoramas and fisheyes are taken to be as large as
 // those on the line of sight; a lens does not count, for its rays meet different places.
 void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
-  const float share = std::max(0.125f, 1 / std::sqrt(float(std::max(settings.spp, 1))));
+  const int spp = settings.spp > 0 ? settings.spp : scene::WhittedSamples;
+  const float share = std::max(0.125f, 1 / std::sqrt(float(spp)));
   const float pixel = 2 * params.camera.extent.y / float(params.camera.resolution.y) * share;
   const bool isParallel = params.camera.kind == CAMERA_ORTHOGRAPHIC;
   params.coneWidth = isParallel ? pixel : 0;

@@ -120,6 +120,7 @@ bool PassesStraight(const scene::Material& material) {
 }
 
 bool LetsShadowRaysPass(const scene::Material& material, ShadowRays shadowRays) {
+  if (material.volume) return true;
   if (!material.Refractive()) return material.alphaMode != scene::AlphaMode::Opaque;
   if (shadowRays == ShadowRays::Path) return PassesStraight(material);
   return shadowRays == ShadowRays::Tinted;
@@ -217,7 +218,7 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
     flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None, None,
-                            0, ToTransform(scene::ToWorldAt(object, shutter.open))});
+                            0, ToTransform(scene::ToWorldAt(object, shutter.open)), 0});
     Object& record = flat.objects.back();
     FlattenMotion(object.motion, shutter, KeyOfPlace, flat, record.motion, record.motionSteps);
     // What moves is an instance even if it is alone

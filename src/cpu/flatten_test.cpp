@@ -216,13 +216,13 @@ TEST(FlattenMaterials, AbsorbsToTheColourAtTheDistance) {
   scene::Scene scene = Painted();
   scene.materials[1].attenuationColor = Spectrum(0.5f, 1.0f, 0.01f);
   scene.materials[1].attenuationDistance = 0.2f;
-  const Spectrum a = Flat(scene).materials[1].absorption;
+  const Spectrum a = Flat(scene).materials[1].inside.extinction;
   EXPECT_NEAR(std::exp(-a.x * 0.2f), 0.5f, 1e-6f);
   EXPECT_EQ(a.y, 0.0f);
   EXPECT_NEAR(std::exp(-a.z * 0.2f), 0.01f, 1e-6f);
-  EXPECT_EQ(Flat(scene).materials[0].absorption, Spectrum(0.0f));
+  EXPECT_EQ(Flat(scene).materials[0].inside.extinction, Spectrum(0.0f));
   scene.materials[1].attenuationColor = Spectrum(0.0f);
-  EXPECT_TRUE(std::isfinite(Flat(scene).materials[1].absorption.x));
+  EXPECT_TRUE(std::isfinite(Flat(scene).materials[1].inside.extinction.x));
 }
 
 TEST(FlattenCamera, SpansThePicture) {

@@ -140,10 +140,14 @@ TEST(GenerateRay, PanoramasShowAzimuthAndElevation) {
   }
 }
 
-TEST(EnvironmentLe, IsLinearInTheSineOfTheElevation) {
-  Environment environment = {Spectrum(1, 0, 0), Spectrum(0, 2, 0), -0.5f, 0.5f, 1.0f};
+TEST(GradientLe, IsLinearInTheSineOfTheElevation) {
+  Environment environment = {};
+  environment.bottom = Spectrum(1, 0, 0);
+  environment.top = Spectrum(0, 2, 0);
+  environment.sinBottom = -0.5f;
+  environment.sinTop = 0.5f;
   const auto at = [&](float y) {
-    return EnvironmentLe(environment, vec3(std::sqrt(1 - y * y), y, 0));
+    return GradientLe(environment, vec3(std::sqrt(1 - y * y), y, 0));
   };
   ExpectNear(at(-1), Spectrum(1, 0, 0));
   ExpectNear(at(-0.5f), Spectrum(1, 0, 0));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The path tracer (Kajiya 1986, "The rendering equation") as steps on a state: PathBegin makes the ray from the camera,
-// each PathStep follows it to a surface, samples one light from there, and continues in one direction that the
+// each PathStep follows it to a surface, or to where a
+// medium scatters it before, samples one light from there, and continues in one direction that the
 // surface's scattering chooses. Light that both ways can find is weighted by multiple importance sampling (Veach and
 // Guibas 1995, "Optimally combining sampling techniques", the balance heuristic). Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_H
@@ -9,8 +10,9 @@
 
 // Start sample `sampleIndex` of a pixel.
 SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
-  s.seed = HashCombine(HashCombine(params.seed, pixel.x), pixel.y);
-  s.sampleIndex = sampleIndex;
+  s.seed = params.seed;
+  if (params.independentSamples == 1u) s.seed = HashCombine(HashCombine(s.seed, sampleIndex), 1u);
+  s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
   s.dimension = 0u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
@@ -27,35 +29,117 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.ray = start.ray;
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.held = 0.0f;
   s.etaScale = 1.0f;
+  s.monochrome = 0u;
+  s.wavelength = 0.0f;
   s.depth = 1u;
+  s.scatterings = 0u;
   s.passes = 0u;
   s.coneWidth = params.coneWidth;
+  s.walk = None;
+  s.walkAlbedo = Spectrum(0.0f, 0.0f, 0.0f);
   s.media = params.camera.inside == 1u ? MediaAround(s.ray) : NoMedia();
   s.bsdfPdf = 0.0f;
   s.lastPoint = s.ray.o;
-  s.lightSum = 0.0f;
+  s.lastNormal = vec3(0.0f, 0.0f, 0.0f);
   s.alive = start.weight > 0.0f ? 1u : 0u;
   s.rays.camera = s.alive;
 }
 
-// A unit normal that wo sees from above.
-SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
-  float cosine = Dot(ns, wo);
-  if (cosine > 1e-3f) return ns;
-  return Normalize(ns + wo * (2e-3f - cosine));
+// What a ray sees that leaves the scene.
+SCENE_FN Spectrum UnboundedLe(IN(PathState) s, vec3 d, bool fromCamera) {
+  if (fromCamera && params.environment.visible == 0u) return Spectrum(0.0f, 0.0f, 0.0f);
+  float pdf;
+  Spectrum Le = EnvironmentLe(d, pdf);
+  if (s.bsdfPdf > 0.0f) Le = Le * (s.bsdfPdf / (s.bsdfPdf + EnvironmentShare() * pdf));
+  for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun) {
+    Spectrum disc = SunLe(lights[sun], d);
+    if (!IsBlack(disc)) Le += disc * FoundWeight(s, sun, d, Infinite);
+  }
+  // Ambient lights light surfaces but are not seen
+  if (!fromCamera) Le += params.ambient;
+  return Le;
+}
+
+// Gather the light of one source at a surface, then choose the way on.
+SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
+  bool walks = s.walk != None;
+  if (!walks) {
+    Spectrum sampled = SampledLight(s, v);
+    PathAdd(s, s.beta * sampled, PathVertices(s));
+  }
+  vec2 lobe = PathSample2D(s);
+  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
+  if (next.pdf <= 0.0f) return;
+  bool through = next.transmitted == 1u;
+  vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
+  if ((Dot(wi, v.n) < 0.0f) != through) return;
+  s.beta = s.beta * next.weight;
+  s.ray.d = Normalize(wi);
+  s.ray.o = VertexStart(v, s.ray.d);
+  s.passes = 0u;
+  if (next.wanders == 1u) {
+    // Go below the surface; where the path gets out again counts as the same vertex
+    s.walk = v.object;
+    s.walkAlbedo =
+        SingleAlbedo(v.bsdf.subsurfaceColor,
+                     physicals[materials[objects[v.object].material].closure].subsurfaceAnisotropy);
+    s.media = v.before;
+    s.bsdfPdf = 0.0f;
+    s.rays.refracted += 1u;
+    s.alive = 1u;
+    return;
+  }
+  if (through && v.bsdf.thin == 0u) s.etaScale *= v.bsdf.eta * v.bsdf.eta;
+  s.media = through ? v.behind : v.before;
+  s.depth += 1u;
+  // What goes straight through a smooth sheet has been looked for by the shadow ray, too
+  bool straight = through && next.isSpecular == 1u && v.bsdf.thin == 1u;
+  if (!straight) {
+    s.bsdfPdf = next.isSpecular == 1u || walks ? 0.0f : next.pdf;
+    s.lastPoint = VertexAbove(v);
+    s.lastNormal = VertexFacing(v);
+  }
+  if (through) {
+    s.rays.refracted += 1u;
+  } else {
+    s.rays.reflected += 1u;
+  }
+  PathRoulette(s, lobe.y);
+}
+
+// Get out of the body below whose surface the path has wandered, evenly to all sides.
+SCENE_FN void PathEmerge(INOUT(PathState) s, IN(SurfaceInteraction) it, IN(Material) material) {
+  RoleTexels shown = TexelsAt(material, it);
+  PathVertex v;
+  v.p = it.p;
+  v.pError = it.pError;
+  v.before = s.media;
+  v.behind = s.media;
+  v.inMedium = 0u;
+  v.g = 0.0f;
+  v.n = FaceForward(it.n, s.ray.d);
+  v.z = NormalSeenFrom(FaceForward(MappedNormal(material, it, shown), v.n), v.n);
+  CoordinateSystem(v.z, v.x, v.y);
+  v.wo = v.z;
+  v.woLocal = vec3(0.0f, 0.0f, 1.0f);
+  v.bsdf = DiffuseBsdf(Spectrum(1.0f, 1.0f, 1.0f));
+  v.object = it.object;
+  s.walk = None;
+  PathGoOn(s, v);
 }
 
 // Follow the ray to the next vertex, gather light there, and find the way on.
 SCENE_FN void PathStep(INOUT(PathState) s) {
   Ray ray = s.ray;
   s.alive = 0u;
-  Hit hit = ClosestHit(ray, Infinite, s.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
+  bool fromCamera = s.depth == 1u && s.scatterings == 0u && s.walk == None;
+  Hit hit = ClosestHit(ray, Infinite, fromCamera ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    Spectrum Le = EnvironmentLe(params.environment, ray.d);
-    // Ambient lights light surfaces but are not seen
-    if (s.depth > 1u) Le += params.ambient;
-    s.L += s.beta * Le;
+    // Bodies that are not closed let the path out to nowhere
+    if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
+    PathAdd(s, s.beta * UnboundedLe(s, ray.d, fromCamera), PathVertices(s) - 1u);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -66,10 +150,15 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   float coneWidth = s.coneWidth + params.coneSpread * it.t;
   it.footprint = coneWidth / Max(abs(Dot(n, wo)), 0.05f);
 
-  // Absorb on the way through the medium that the ray came through
+  // See how far the medium lets it, and what of it
   MediumStack media = MediaBehind(s.media, it, ray.d);
   uint inside = CurrentMedium(media);
-  s.beta = s.beta * MediumTransmittance(inside, it.t);
+  if (!PathGetsThrough(s, media, it.t)) return;
+  if (it.object == s.walk) {
+    s.coneWidth = coneWidth;
+    PathEmerge(s, it, material);
+    return;
+  }
 
   // Pass where the surface is open, by chance where it is half so
   RoleTexels shown = TexelsAt(material, it);
@@ -89,27 +178,26 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (object.light != None) {
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
-    float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f) {
-      float pick =
-          LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * (1.0f - EmitterShare());
-      float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
-      weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
-    }
-    s.L += s.beta * light.emission * weight;
+    PathAdd(
+        s,
+        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint)),
+        PathVertices(s) - 1u);
     return;
   }
 
   // Find what lies behind a refractive boundary
   bool hasInside = material.refractive == 1u && material.thin == 0u;
   MediumStack mediaBehind = media;
-  float eta = material.ior / MediumIor(inside);
+  bool chooses = hasInside && material.dispersion > 0.0f && s.monochrome == 0u;
+  if (chooses) ChooseWavelength(s);
+  float nearIor = MediumIor(inside, s.wavelength);
+  float eta = material.ior / nearIor;
   if (hasInside) {
     mediaBehind =
         Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
     uint behind = CurrentMedium(mediaBehind);
-    if (behind == inside) {
-      // A boundary within a body of higher priority is not there
+    if (behind == inside || material.container == 1u || s.walk != None) {
+      // Pass a boundary that is not there: within a body of higher priority, or of nothing but a medium
       if (s.passes == MaxPasses) return;
       s.passes += 1u;
       s.media = mediaBehind;
@@ -118,21 +206,24 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       s.alive = 1u;
       return;
     }
-    eta = MediumIor(behind) / MediumIor(inside);
+    eta = MediumIor(behind, s.wavelength) / nearIor;
   }
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
+  Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
     float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE &&
-        object.motion == None) {
-      float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
+    if (s.bsdfPdf > 0.0f) {
+      LET(Emitter) emitter = emitters[object.emitters + hit.primitive];
+      float pdf = PdfSource(s.lastPoint, s.lastNormal, emitter.node);
+      if (pdf > 0.0f)
+        pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    s.L += s.beta * Le * weight;
+    PathAdd(s, s.beta * Le * weight, PathVertices(s) - 1u);
   }
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
   // Set up the surface's scattering in the frame of its shading normal
+  vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
   PathVertex v;
   v.p = it.p;
@@ -144,54 +235,22 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   v.g = 0.0f;
   v.n = n;
   v.z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  v.x = it.tangent - v.z * Dot(it.tangent, v.z);
-  if (LengthSquared(v.x) > 1e-12f * LengthSquared(it.tangent)) {
-    v.x = Normalize(v.x);
-    v.y = Cross(v.z, v.x);
-  } else {
-    CoordinateSystem(v.z, v.x, v.y);
-  }
+  ScatteringFrame(material, shown, it, v.z, v.x, v.y);
   v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
-  v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
-
-  // Gather the light of one source, then choose the way on
-  float lightSum;
-  Spectrum sampled = SampledLight(s, v, lightSum);
-  s.L += s.beta * sampled;
-  vec2 lobe = PathSample2D(s);
-  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
-  if (next.pdf <= 0.0f) return;
-  vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
-  if ((Dot(wi, n) < 0.0f) != (next.transmitted == 1u)) return;
-  s.beta = s.beta * next.weight;
-  if (next.transmitted == 1u && material.thin == 0u && hasInside) s.etaScale *= eta * eta;
-  s.ray.d = Normalize(wi);
-  s.ray.o = OffsetRayOrigin(it.p, it.pError, n, s.ray.d);
-  s.media = next.transmitted == 1u ? mediaBehind : media;
+  BsdfView view;
+  view.wo = v.woLocal;
+  view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
+  view.eta = eta;
+  view.nearIor = nearIor;
+  view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
+  v.bsdf = BsdfAt(material, shown, it.color, view);
+  // Nothing wanders below a surface within a body that does, or seen from below
+  if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
+    v.bsdf = WithoutSubsurface(v.bsdf);
+  v.object = it.object;
   s.coneWidth = coneWidth;
-  s.passes = 0u;
-  s.depth += 1u;
-  // What goes straight through a smooth sheet has been looked for by the shadow ray, too
-  bool straight = next.transmitted == 1u && next.isSpecular == 1u && material.thin == 1u;
-  if (!straight) {
-    s.bsdfPdf = next.isSpecular == 1u ? 0.0f : next.pdf;
-    s.lastPoint = it.p;
-    s.lightSum = lightSum;
-  }
-  if (next.transmitted == 1u) {
-    s.rays.refracted += 1u;
-  } else {
-    s.rays.reflected += 1u;
-  }
 
-  // End paths that can add little, by chance
-  float least = MaxChannel(s.beta) * s.etaScale;
-  if (s.depth > RouletteDepth && least < 0.95f) {
-    float survival = Max(least, 0.05f);
-    if (lobe.y >= survival) return;
-    s.beta = s.beta * (1.0f / survival);
-  }
-  s.alive = MaxChannel(s.beta) > 0.0f ? 1u : 0u;
+  PathGoOn(s, v);
 }
 
 #endif

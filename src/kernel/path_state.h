@@ -8,27 +8,33 @@
 
 KERNEL_BEGIN
 
-// Paths shorter than this are not ended by chance.
+// Paths of fewer vertices than this are not ended by chance.
 CONST uint RouletteDepth = 4u;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
 
 struct PathState {
-  Ray ray;          // to the next vertex
-  uint alive;       // 1: it is to be traced
-  Spectrum beta;    // what its radiance counts in the pixel
-  Spectrum L;       // radiance gathered so far
-  float etaScale;   // η² of the refractions so far, which Russian roulette does not see
-  uint depth;       // of the next vertex; 1 is what the camera sees
-  uint passes;      // surfaces passed since the last vertex because they are open there
-  float coneWidth;  // as in WhittedBranch
+  Ray ray;           // to the next vertex
+  uint alive;        // 1: it is to be traced
+  Spectrum beta;     // what its radiance counts in the pixel
+  Spectrum L;        // radiance gathered so far
+  float held;        // mean of the channels of the radiance that was held back (PathAdd)
+  float etaScale;    // η² of the refractions so far, which Russian roulette does not see
+  uint monochrome;   // 1: the path has one wavelength
+  float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all
+  uint depth;        // of the next vertex; 1 is what the camera sees
+  uint scatterings;  // in media so far
+  uint passes;       // surfaces passed since the last vertex because they are open there
+  float coneWidth;   // as in WhittedBranch
   MediumStack media;
+  uint walk;            // the body below whose surface the path wanders, or None
+  Spectrum walkAlbedo;  // of a scattering there
   // For the chance that the light at the next vertex is sampled from the last one, too
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been
   vec3 lastPoint;
-  float lightSum;    // of the lights' importances there
-  uint seed;         // of this pixel
-  uint sampleIndex;  // of this pixel
+  vec3 lastNormal;  // as the choice of a source saw it there: 0 where light counts from all sides
+  uint seed;
+  uint sampleIndex;  // in the sequence of that seed (sobol.h)
   uint dimension;    // pairs of sample dimensions used
   RayCounts rays;
 };

@@ -24,8 +24,22 @@ struct PathVertex {
   vec3 z;
   vec3 woLocal;
   Bsdf bsdf;
+  uint object;
   MediumStack behind;
 };
+
+// The vertex at a distance along the ray.
+FN PathVertex VertexInMedium(IN(Ray) ray, float distance, float g, IN(MediumStack) media) {
+  PathVertex v;
+  v.p = ray.o + ray.d * distance;
+  v.pError = vec3(0.0f, 0.0f, 0.0f);
+  v.wo = -ray.d;
+  v.before = media;
+  v.inMedium = 1u;
+  v.g = g;
+  v.n = vec3(0.0f, 0.0f, 0.0f);
+  return v;
+}
 
 // What is scattered from wi to wo, with the cosine if there is one, and the density of sampling wi there.
 FN Spectrum EvalVertex(IN(PathVertex) v, vec3 wi, OUT(float) pdf) {
@@ -45,6 +59,14 @@ FN vec3 VertexStart(IN(PathVertex) v, vec3 wi) { return OffsetRayOrigin(v.p, v.p
 FN MediumStack VertexMedia(IN(PathVertex) v, vec3 wi) {
   if (v.inMedium == 1u || Dot(wi, v.z) > 0.0f) return v.before;
   return v.behind;
+}
+
+// As what the choice of a source of light sees the vertex (light_tree.h): a point just above the surface, and the
+// normal, which is 0 where light counts from all sides.
+FN vec3 VertexAbove(IN(PathVertex) v) { return OffsetRayOrigin(v.p, v.pError, v.n, v.n); }
+FN vec3 VertexFacing(IN(PathVertex) v) {
+  if (v.inMedium == 1u || Transmits(v.bsdf)) return vec3(0.0f, 0.0f, 0.0f);
+  return v.z;
 }
 
 KERNEL_END

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What fills the space at a point, given the refractive objects around it (medium.h), and how it absorbs.
+// What fills the space at a point, given the objects around it (medium.h), and what it does to light.
 // Reads the objects and their materials.
 #ifndef SNELL_KERNEL_SCENE_MEDIUM_H
 #define SNELL_KERNEL_SCENE_MEDIUM_H
@@ -23,10 +23,21 @@ SCENE_FN float MediumIor(uint object) {
   return object == None ? params.environment.ior : materials[objects[object].material].ior;
 }
 
-// Beer and Lambert's law over a distance in metres.
+SCENE_FN Medium MediumOf(uint object) {
+  return object == None ? params.surroundings : materials[objects[object].material].inside;
+}
+
+// The index for one wavelength, given as in PathState, by Cauchy's formula.
+SCENE_FN float MediumIor(uint object, float wavelength) {
+  if (object == None) return params.environment.ior;
+  LET(Material) material = materials[objects[object].material];
+  return material.ior + material.dispersion * wavelength;
+}
+
+// Beer and Lambert's law over a distance in metres, for the classic integrator.
 SCENE_FN Spectrum MediumTransmittance(uint object, float distance) {
   if (object == None) return Spectrum(1.0f, 1.0f, 1.0f);
-  Spectrum sigma = materials[objects[object].material].absorption;
+  Spectrum sigma = materials[objects[object].material].inside.extinction;
   if (IsBlack(sigma)) return Spectrum(1.0f, 1.0f, 1.0f);
   return Exp(sigma * -distance);
 }

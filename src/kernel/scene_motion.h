@@ -30,11 +30,10 @@ SCENE_FN Ray ShapeRay(IN(Shape) shape, IN(Ray) ray) {
   return ToLocalRay(ObjectAt(shape.object, ray.time), ray.o, ray.d);
 }
 
-// The surface of a shape that moves, where ray and shape meet.
-SCENE_FN SurfaceInteraction MovingShapeSurface(IN(Shape) shape, IN(Ray) ray) {
+// The surface of a shape that moves, where a ray meets it at t.
+SCENE_FN SurfaceInteraction MovingShapeSurface(IN(Shape) shape, IN(Ray) ray, float t) {
   Transform place = ObjectAt(shape.object, ray.time);
   Ray local = ToLocalRay(place, ray.o, ray.d);
-  float t = IntersectShape(shape, local.o, local.d);
   return MovedSurface(place, ShapeSurface(shape, local.o, local.d, t));
 }
 

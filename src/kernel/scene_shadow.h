@@ -29,7 +29,7 @@ SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi,
     media = LeaveMedium(media, it.object);
   }
   uint after = CurrentMedium(media);
-  if (before == after) return Spectrum(1.0f, 1.0f, 1.0f);
+  if (before == after || material.container == 1u) return Spectrum(1.0f, 1.0f, 1.0f);
 
   // Both sides of a body see the same angle here; take it as that in the thinner medium
   float n1 = MediumIor(before);

@@ -5,22 +5,16 @@
 #ifndef SNELL_KERNEL_SCENE_SURFACE_H
 #define SNELL_KERNEL_SCENE_SURFACE_H
 
-SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
+// The surface of a triangle at given barycentric coordinates, at a moment.
+SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, float time) {
   LET(Triangle) triangle = triangles[hit.primitive];
   LET(Mesh) mesh = meshes[triangle.mesh];
   bool instanced = hit.instance != None;
-
-  // Find the barycentric coordinates in the space where the search found them
-  Ray ray = worldRay;
   Transform place;
-  if (instanced) {
-    place = InstanceAt(hit.instance, worldRay.time);
-    ray = ToLocalRay(place, worldRay.o, worldRay.d);
-  }
+  if (instanced) place = InstanceAt(hit.instance, time);
   vec3 p0 = positions[triangle.v0];
   vec3 p1 = positions[triangle.v1];
   vec3 p2 = positions[triangle.v2];
-  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), p0, p1, p2);
 
   SurfaceInteraction it;
   it.t = th.t;
@@ -115,21 +109,31 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
     areaVector = Cross(ToWorldVector(place, e1), ToWorldVector(place, e2));
   }
   it.uvDensity = sqrt(uvArea / Max(Length(areaVector), 1e-30f));
-  it.time = worldRay.time;
+  it.time = time;
   it.footprint = 0.0f;
   it.n = Normalize(it.n);
   it.ns = Normalize(it.ns);
   return it;
 }
 
-SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
-  if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
-  LET(Shape) shape = shapes[hit.primitive];
+SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
+  // Find the barycentric coordinates in the space where the search found them
+  LET(Triangle) triangle = triangles[hit.primitive];
+  Ray ray = worldRay;
+  if (hit.instance != None)
+    ray = ToLocalRay(InstanceAt(hit.instance, worldRay.time), worldRay.o, worldRay.d);
+  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), positions[triangle.v0],
+                                     positions[triangle.v1], positions[triangle.v2]);
+  return TriangleSurfaceAt(hit, th, worldRay.time);
+}
+
+// The surface of an analytic shape where a ray meets it at t.
+SCENE_FN SurfaceInteraction ShapeSurfaceAt(IN(Shape) shape, IN(Ray) ray, float t) {
   SurfaceInteraction it;
   if (IsMoving(shape.object)) {
-    it = MovingShapeSurface(shape, ray);
+    it = MovingShapeSurface(shape, ray, t);
   } else {
-    it = ShapeSurface(shape, ray.o, ray.d, IntersectShape(shape, ray.o, ray.d));
+    it = ShapeSurface(shape, ray.o, ray.d, t);
   }
   it.time = ray.time;
   it.dpdv = Cross(it.ns, it.dpdu);
@@ -141,6 +145,13 @@ SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
   it.color = Spectrum(1.0f, 1.0f, 1.0f);
   it.alpha = 1.0f;
   return it;
+}
+
+SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
+  if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
+  LET(Shape) shape = shapes[hit.primitive];
+  Ray local = ShapeRay(shape, ray);
+  return ShapeSurfaceAt(shape, ray, IntersectShape(shape, local.o, local.d));
 }
 
 #endif

@@ -158,7 +158,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Ray ray = branch.ray;
   Hit hit = ClosestHit(ray, Infinite, branch.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    s.L += branch.weight * EnvironmentLe(params.environment, ray.d);
+    s.L += branch.weight * BackgroundLe(ray.d, branch.depth == 1u);
     WhittedNext(s);
     return;
   }

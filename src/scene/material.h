@@ -107,6 +107,17 @@ struct Displacement {
   bool operator==(const Displacement&) const = default;
 };
 
+// --- Media ----------------------------------------------------------------------------------------------
+
+// What fills a space evenly and absorbs and scatters light.
+struct Medium {
+  Spectrum absorption{0.0f};  // per metre, as the next
+  Spectrum scattering{0.0f};
+  float density = 1;        // multiplies both, and the glow
+  float anisotropy = 0;     // the mean cosine of the angle of deflection, in (−1, 1)
+  Spectrum emission{0.0f};  // W/(sr·m³)
+};
+
 // --- The classic material -------------------------------------------------------------------------------
 
 enum class TermKind { Ambient, Diffuse, Phong, Blinn };
@@ -135,13 +146,15 @@ struct OpenPbr {
   ScalarInput specularRoughness{0.3f};
   float specularIor = 1.5f;
   ScalarInput specularRoughnessAnisotropy{0};
-  // glTF's anisotropy texture: its red and green are the direction, which is turned by this angle (radians)
-  TextureIndex anisotropyDirection = -1;
-  float anisotropyRotation = 0;
+  bool anisotropyOfGltf =
+      false;  // which widths roughness and anisotropy stand for (kernel/microfacet.h)
+  bool anisotropyMapped = false;  // the texture's red and green are the direction, from −1 to 1
+  float anisotropyRotation = 0;   // radians, from the tangent
 
   ScalarInput transmissionWeight{0};
-  Spectrum transmissionColor{1.0f};
-  float transmissionDepth = 0;  // metres; 0: the colour tints the surface
+  ColorInput transmissionColor{Spectrum(1.0f)};
+  bool transmissionTintedByBase = false;  // glTF: the base's colour tints what passes the surface
+  float transmissionDepth = 0;            // metres; 0: the colour tints the surface
   Spectrum transmissionScatter{0.0f};
   float transmissionScatterAnisotropy = 0;
   float transmissionDispersionScale = 0;
@@ -154,10 +167,12 @@ struct OpenPbr {
   ColorInput subsurfaceColor{Spectrum(0.8f)};
   float subsurfaceRadius = 1;  // metres
   Spectrum subsurfaceRadiusScale{1.0f, 0.5f, 0.25f};
+  float subsurfaceScatterAnisotropy = 0;
 
   ScalarInput coatWeight{0};
   ColorInput coatColor{Spectrum(1.0f)};
   ScalarInput coatRoughness{0};
+  float coatRoughnessAnisotropy = 0;
   float coatIor = 1.6f;
   float coatDarkening = 1;
   ReliefMap coatNormal;
@@ -192,6 +207,7 @@ struct Material {
   int priority = 0;  // where insides overlap, the higher one fills the space
 
   std::optional<OpenPbr> physical;
+  std::optional<Medium> volume;  // a boundary that is not seen, around this
 
   // Of both kinds
   ReliefMap normalMap;
@@ -203,9 +219,11 @@ struct Material {
   bool doubleSided = true;                  // false: backs are holes
 
   bool Refractive() const {
+    if (volume) return true;
     if (physical)
       return physical->transmissionWeight.value > 0 ||
-             physical->diffuseTransmissionWeight.value > 0;
+             physical->diffuseTransmissionWeight.value > 0 ||
+             (thin && physical->subsurfaceWeight.value > 0);
     return transparency.texture >= 0 || transparency.value != Spectrum(0.0f);
   }
 };

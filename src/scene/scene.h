@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,7 +38,9 @@ struct Light {
   float falloffFactor = 1;  // linear: irradiance = intensity / (distance · factor)
   float range = 0;          // metres, 0 = unlimited
   int samples = 4;          // shadow rays per camera sample, for lights with an extent
-  bool visible = true;      // area lights: seen by the camera and in mirrors
+  // Areas are seen by the camera and in mirrors; so is the disc of a directional light, but, unless it is the
+  // sun of a sky, not by the classic integrator
+  bool visible = true;
   vec3 position{0.0f};  // point, spot; centre of disk and sphere; corner of rectangle and triangle
   vec3 direction{0, -1, 0};  // that the light travels in; the normal of disk; unit length
   vec3 edgeU{1, 0, 0};       // rectangle and triangle; their normal is U × V
@@ -209,23 +212,39 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
+  ImageIndex map = -1;      // of all directions (kernel/environment.h), in place of the colours
+  Spectrum mapScale{1.0f};  // W/(sr·m²) of its 1
+  float rotation = 0;       // of the map: radians about +y, counter-clockwise from above
+  int sun = -1;             // the light that is the sun of a sky; -1: none
+  bool visible = true;      // to the camera; mirrors show it in any case
+  bool ambient = false;     // its mean is ambient light to the classic integrator
+  Medium medium;            // around all objects
 };
 
 enum class Integrator { Whitted, Path };
+enum class Sampler { Sobol, Independent };  // of the path tracer
+// How the path tracer chooses among sources of light: by what each can bring to the point, or by power alone.
+enum class LightSampling { Tree, Power };
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.
 struct RenderSettings {
   int width = 800;
   int height = 600;
-  int spp = 16;  // samples per pixel
-  Integrator integrator = Integrator::Whitted;
+  // What is left open is filled in by the materials (settings.h)
+  int spp = 0;  // samples per pixel; 0: open
+  std::optional<Integrator> integrator;
   int maxDepth = 16;               // 1: rays from the camera only
+  int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
+  Sampler sampler = Sampler::Sobol;
+  float clampIndirect =
+      0;  // path: the most that one find of indirect light adds, W/(sr·m²); 0: any
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear
   bool tintedShadows = true;
+  LightSampling lightSampling = LightSampling::Tree;
   std::uint32_t seed = 0;
 };
 

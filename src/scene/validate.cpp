@@ -42,8 +42,14 @@ class Checker {
     Require(Finite(scene_.environment.bottomElevation) && Finite(scene_.environment.topElevation) &&
                 scene_.environment.bottomElevation < scene_.environment.topElevation,
             "the environment's gradient needs its bottom below its top");
+    Require(scene_.environment.map >= -1 && scene_.environment.map < int(scene_.images.size()) &&
+                scene_.environment.sun >= -1 && scene_.environment.sun < int(scene_.lights.size()),
+            "the environment refers to a picture or a light that does not exist");
+    Require(NonNegative(scene_.environment.mapScale) && Finite(scene_.environment.rotation),
+            "the environment's map needs a finite strength and rotation");
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
+    CheckMedium(scene_.environment.medium, "the surroundings' medium");
     for (const Light& light : scene_.lights) CheckLight(light);
     for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
@@ -56,10 +62,13 @@ class Checker {
   void CheckSettings(const RenderSettings& s) {
     Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
-    Require(s.spp > 0, "the samples per pixel must be at least 1");
+    Require(s.spp >= 0, "the samples per pixel must not be negative");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
+    Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
+    Require(Finite(s.clampIndirect) && s.clampIndirect >= 0,
+            "the limit of indirect light must not be negative");
     Require(Finite(s.filterRadius) && s.filterRadius >= 0,
             "the filter's radius must not be negative");
     Require(Finite(s.exposure), "the exposure must be finite");
@@ -207,6 +216,7 @@ class Checker {
       return fmt::format("material '{}': {}", material.name, what);
     };
     CheckMaps(material, of("a map"));
+    if (material.volume) CheckMedium(*material.volume, of("the medium"));
     if (material.physical) return CheckPhysical(*material.physical, of("the physical material"));
     CheckColor(material.emission, false, of("the emission"));
     CheckColor(material.reflectivity, true, of("the reflectivity"));
@@ -248,9 +258,18 @@ class Checker {
            target.length >= 0;
   }
 
+  void CheckMedium(const Medium& m, const std::string& what) {
+    Require(NonNegative(m.absorption) && NonNegative(m.scattering) && NonNegative(m.emission) &&
+                Finite(m.density) && m.density >= 0,
+            fmt::format("{} needs finite coefficients that are not negative", what));
+    Require(Finite(m.anisotropy) && std::abs(m.anisotropy) < 1,
+            fmt::format("{} needs an anisotropy between -1 and 1", what));
+  }
+
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
-    for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
-                                    &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+    for (const ColorInput* color :
+         {&m.baseColor, &m.specularColor, &m.transmissionColor, &m.diffuseTransmissionColor,
+          &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
       CheckColor(*color, false, what);
     for (const ScalarInput* input :
          {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
@@ -258,12 +277,19 @@ class Checker {
           &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight,
           &m.thinFilmThickness})
       Require(Sound(*input), fmt::format("{} has a weight that is not sound", what));
-    Require(IsTexture(m.anisotropyDirection) && IsTexture(m.coatNormal.texture),
+    Require(IsTexture(m.coatNormal.texture),
             fmt::format("{} refers to a texture that does not exist", what));
     Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
             fmt::format("{} needs positive indices of refraction", what));
     Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
-                NonNegative(m.transmissionColor) && Finite(m.baseWeight) && m.baseWeight >= 0,
+                NonNegative(m.transmissionColor.value) && NonNegative(m.transmissionScatter) &&
+                Finite(m.transmissionScatterAnisotropy) && Positive(m.subsurfaceRadius) &&
+                NonNegative(m.subsurfaceRadiusScale) && Finite(m.subsurfaceScatterAnisotropy) &&
+                Finite(m.baseWeight) && m.baseWeight >= 0 && Finite(m.thinFilmThicknessLeast) &&
+                m.thinFilmThicknessLeast >= 0 && Finite(m.transmissionDispersionScale) &&
+                m.transmissionDispersionScale >= 0 && Finite(m.transmissionDispersionAbbeNumber) &&
+                m.transmissionDispersionAbbeNumber >= 0 && Finite(m.coatRoughnessAnisotropy) &&
+                Finite(m.anisotropyRotation),
             fmt::format("{} needs finite numbers that are not negative", what));
   }
 
@@ -337,6 +363,7 @@ class Checker {
 // Whether any light, emission or background can reach the camera.
 bool HasLight(const Scene& scene) {
   if (!scene.lights.empty()) return true;
+  if (scene.environment.map >= 0) return true;
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {

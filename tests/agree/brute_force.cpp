@@ -63,16 +63,23 @@ struct BruteForceKernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const LightNode* lightNodes;
   const MotionKey* motions;
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
+#include "kernel/path_medium.h"
+#include "kernel/path_shadow.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_camera.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
@@ -112,29 +119,18 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,
-                          CountsOf(scene),
-                          scene.objects.data(),
-                          scene.shapes.data(),
-                          scene.instances.data(),
-                          scene.meshes.data(),
-                          scene.triangles.data(),
-                          scene.positions.data(),
-                          scene.normals.data(),
-                          scene.uvs.data(),
-                          scene.tangents.data(),
-                          scene.colors.data(),
-                          scene.materials.data(),
-                          scene.terms.data(),
-                          scene.physicals.data(),
-                          scene.textures.data(),
-                          scene.images.data(),
-                          scene.texels.data(),
-                          scene.lights.data(),
-                          scene.emitters.data(),
-                          scene.albedos.data(),
-                          scene.motions.data(),
-                          {}};
+  BruteForceKernel kernel{scene.params,           CountsOf(scene),
+                          scene.objects.data(),   scene.shapes.data(),
+                          scene.instances.data(), scene.meshes.data(),
+                          scene.triangles.data(), scene.positions.data(),
+                          scene.normals.data(),   scene.uvs.data(),
+                          scene.tangents.data(),  scene.colors.data(),
+                          scene.materials.data(), scene.terms.data(),
+                          scene.physicals.data(), scene.textures.data(),
+                          scene.images.data(),    scene.texels.data(),
+                          scene.lights.data(),    scene.emitters.data(),
+                          scene.albedos.data(),   scene.lightNodes.data(),
+                          scene.motions.data(),   {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

@@ -108,11 +108,26 @@ TEST(Coverage, Materials) {
   EXPECT_EQ(Values(materials, &Material::thin), TagsTo(1));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
-  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.absorption.x > 0; }));
-  for (const uint role : {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY,
-                          ROLE_NORMAL, ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS})
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.extinction.x > 0; }));
+  for (const uint role :
+       {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY, ROLE_NORMAL,
+        ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS, ROLE_ANISOTROPY, ROLE_TRANSMISSION_COLOR,
+        ROLE_COAT_COLOR, ROLE_COAT_NORMAL, ROLE_FILM_WEIGHT, ROLE_FILM_THICKNESS,
+        ROLE_DIFFUSE_TRANSMISSION, ROLE_DIFFUSE_TRANSMISSION_COLOR})
     EXPECT_TRUE(
         any_of(materials, [&](const Material& m) { return m.textures[role] != kernel::None; }));
+}
+
+TEST(Coverage, Media) {
+  const auto materials = Every(&FlatScene::materials);
+  EXPECT_EQ(Values(materials, &Material::container), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.scattering.x > 0; }));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.emission.x > 0; }));
+  EXPECT_TRUE(any_of(Every(&FlatScene::physicals),
+                     [](const Physical& p) { return p.subsurface.value > 0; }));
+  EXPECT_TRUE(any_of(FlatScenes(), [](const FlatScene& flat) {
+    return flat.params.surroundings.scattering.x > 0;
+  }));
 }
 
 TEST(Coverage, PhysicalMaterialsAndMaps) {
@@ -125,9 +140,13 @@ TEST(Coverage, PhysicalMaterialsAndMaps) {
   for (const auto offset : {&Mesh::uvs1, &Mesh::tangents, &Mesh::colors})
     EXPECT_TRUE(any_of(meshes, [&](const Mesh& m) { return m.*offset != kernel::None; }));
   const auto physicals = Every(&FlatScene::physicals);
-  for (const auto source : {&Physical::metalness, &Physical::transmission, &Physical::coatWeight,
-                            &Physical::fuzzWeight})
+  for (const auto source :
+       {&Physical::metalness, &Physical::transmission, &Physical::coatWeight, &Physical::fuzzWeight,
+        &Physical::filmWeight, &Physical::anisotropy, &Physical::diffuseTransmission})
     EXPECT_TRUE(any_of(physicals, [&](const Physical& p) { return (p.*source).value > 0; }));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyModel), TagsTo(ANISOTROPY_GLTF));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyMapped), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.dispersion > 0; }));
 }
 
 TEST(Coverage, PicturesInEveryEncodingWrapAndFilter) {
@@ -157,6 +176,30 @@ TEST(Coverage, LightsAndFalloffs) {
     EXPECT_TRUE(any_of(lights, [&](const Light& l) { return l.kind == kind && l.radius > 0; }));
     EXPECT_TRUE(any_of(lights, [&](const Light& l) { return l.kind == kind && l.radius == 0; }));
   }
+}
+
+TEST(Coverage, EmittersAndTheLightTree) {
+  std::set<uint> shapes, flags, sampling;
+  bool inWorld = false, instanced = false, byChance = false, directional = false;
+  for (scene::Scene& scene : AllScenes()) {
+    scene.settings.integrator = scene::Integrator::Path;
+    const FlatScene flat = cpu::Flatten(scene, scene.settings, scene.cameras[0]);
+    for (const Emitter& emitter : flat.emitters) {
+      const bool isShape = emitter.instance == INSTANCE_SHAPE;
+      if (isShape && emitter.node != kernel::None)
+        shapes.insert(flat.shapes[emitter.primitive].kind);
+      inWorld |= emitter.instance == kernel::None;
+      instanced |= !isShape && emitter.instance != kernel::None;
+      byChance |= emitter.node == kernel::None;
+    }
+    if (flat.lightNodes.size() > 3) sampling.insert(flat.params.lightSampling);
+    for (const LightNode& node : flat.lightNodes) flags.insert(node.flags);
+    directional |= flat.params.firstDirectional != kernel::None;
+  }
+  EXPECT_EQ(shapes, (std::set<uint>{SHAPE_SPHERE, SHAPE_DISK, SHAPE_RECTANGLE}));
+  EXPECT_EQ(flags, TagsTo(LIGHT_NODE_LEAF | LIGHT_NODE_TWO_SIDED));
+  EXPECT_EQ(sampling, TagsTo(LIGHTS_BY_POWER));
+  EXPECT_TRUE(inWorld && instanced && byChance && directional);
 }
 
 TEST(Coverage, CamerasAndSurroundings) {

@@ -38,6 +38,7 @@ SNELL_GLSL_NAME(Camera)
 SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(ScalarSource)
 SNELL_GLSL_NAME(Environment)
+SNELL_GLSL_NAME(Medium)
 SNELL_GLSL_NAME(Transform)
 #undef SNELL_GLSL_NAME
 template <>
@@ -48,7 +49,7 @@ const char* NameInGlsl<float[FilterQuantileCount]>() {
 
 template <>
 const char* NameInGlsl<uint[RoleCount]>() {
-  return "uint[16]";
+  return "uint[26]";
 }
 
 struct Record {
@@ -72,7 +73,8 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Object",
        {sizeof(Object),
         {MEMBER(Object, material), MEMBER(Object, mask), MEMBER(Object, light),
-         MEMBER(Object, motion), MEMBER(Object, motionSteps), MEMBER(Object, toWorld)}}},
+         MEMBER(Object, motion), MEMBER(Object, motionSteps), MEMBER(Object, toWorld),
+         MEMBER(Object, emitters)}}},
       {"MotionKey",
        {sizeof(MotionKey),
         {MEMBER(MotionKey, x), MEMBER(MotionKey, y), MEMBER(MotionKey, z),
@@ -123,13 +125,30 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Physical, fuzzRoughness),
          MEMBER(Physical, diffuseRoughness),
          MEMBER(Physical, anisotropy),
+         MEMBER(Physical, anisotropyModel),
+         MEMBER(Physical, anisotropyMapped),
+         MEMBER(Physical, anisotropyAxis),
          MEMBER(Physical, coatColor),
          MEMBER(Physical, coatDarkening),
+         MEMBER(Physical, coatAnisotropy),
+         MEMBER(Physical, coatNormalScale),
+         MEMBER(Physical, filmWeight),
+         MEMBER(Physical, filmThickness),
+         MEMBER(Physical, filmThicknessLeast),
+         MEMBER(Physical, filmIor),
          MEMBER(Physical, diffuseTransmission),
          MEMBER(Physical, diffuseTransmissionColor),
          MEMBER(Physical, metalColor),
+         MEMBER(Physical, subsurface),
+         MEMBER(Physical, subsurfaceColor),
+         MEMBER(Physical, subsurfaceExtinction),
+         MEMBER(Physical, subsurfaceAnisotropy),
          MEMBER(Physical, tintByBase),
          MEMBER(Physical, metalByBase)}}},
+      {"Medium",
+       {sizeof(Medium),
+        {MEMBER(Medium, extinction), MEMBER(Medium, scattering), MEMBER(Medium, emission),
+         MEMBER(Medium, anisotropy)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
@@ -138,7 +157,8 @@ std::map<std::string, Record> RecordsInCpp() {
        {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
                            MEMBER(Material, reflection),   MEMBER(Material, refractive),
                            MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, absorption),
+                           MEMBER(Material, ior),          MEMBER(Material, dispersion),
+                           MEMBER(Material, inside),       MEMBER(Material, container),
                            MEMBER(Material, emission),     MEMBER(Material, reflectivity),
                            MEMBER(Material, transparency), MEMBER(Material, physical),
                            MEMBER(Material, closure),      MEMBER(Material, textured),
@@ -152,14 +172,25 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
          MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
          MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
-         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found)}}},
+         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found), MEMBER(Light, nextSun),
+         MEMBER(Light, node), MEMBER(Light, next)}}},
       {"Emitter",
        {sizeof(Emitter),
-        {MEMBER(Emitter, triangle), MEMBER(Emitter, instance), MEMBER(Emitter, last)}}},
+        {MEMBER(Emitter, primitive), MEMBER(Emitter, instance), MEMBER(Emitter, node),
+         MEMBER(Emitter, area)}}},
+      {"LightNode",
+       {sizeof(LightNode),
+        {MEMBER(LightNode, center), MEMBER(LightNode, radius), MEMBER(LightNode, axis),
+         MEMBER(LightNode, cosThetaO), MEMBER(LightNode, cosThetaE), MEMBER(LightNode, power),
+         MEMBER(LightNode, reach), MEMBER(LightNode, flags), MEMBER(LightNode, first),
+         MEMBER(LightNode, parent)}}},
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
-         MEMBER(Environment, sinTop), MEMBER(Environment, ior)}}},
+         MEMBER(Environment, sinTop), MEMBER(Environment, ior), MEMBER(Environment, visible),
+         MEMBER(Environment, map), MEMBER(Environment, scale), MEMBER(Environment, turn),
+         MEMBER(Environment, dull), MEMBER(Environment, density), MEMBER(Environment, share),
+         MEMBER(Environment, tables), MEMBER(Environment, firstSun)}}},
       {"Camera",
        {sizeof(Camera),
         {MEMBER(Camera, kind), MEMBER(Camera, inside), MEMBER(Camera, resolution),
@@ -170,13 +201,26 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Camera, motionSteps)}}},
       {"RenderParams",
        {sizeof(RenderParams),
-        {MEMBER(RenderParams, camera), MEMBER(RenderParams, environment),
-         MEMBER(RenderParams, ambient), MEMBER(RenderParams, lightCount),
-         MEMBER(RenderParams, emitterCount), MEMBER(RenderParams, emitterPower),
-         MEMBER(RenderParams, tintedShadows), MEMBER(RenderParams, maxDepth),
-         MEMBER(RenderParams, moving), MEMBER(RenderParams, minContribution),
-         MEMBER(RenderParams, seed), MEMBER(RenderParams, coneWidth),
-         MEMBER(RenderParams, coneSpread), MEMBER(RenderParams, filterQuantiles)}}},
+        {MEMBER(RenderParams, camera),
+         MEMBER(RenderParams, environment),
+         MEMBER(RenderParams, ambient),
+         MEMBER(RenderParams, lightCount),
+         MEMBER(RenderParams, lightNodeCount),
+         MEMBER(RenderParams, firstDirectional),
+         MEMBER(RenderParams, lightSampling),
+         MEMBER(RenderParams, tintedShadows),
+         MEMBER(RenderParams, maxDepth),
+         MEMBER(RenderParams, moving),
+         MEMBER(RenderParams, maxVolumeDepth),
+         MEMBER(RenderParams, surroundings),
+         MEMBER(RenderParams, minContribution),
+         MEMBER(RenderParams, clampIndirect),
+         MEMBER(RenderParams, seed),
+         MEMBER(RenderParams, independentSamples),
+         MEMBER(RenderParams, samplesLog2),
+         MEMBER(RenderParams, coneWidth),
+         MEMBER(RenderParams, coneSpread),
+         MEMBER(RenderParams, filterQuantiles)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
         {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),
@@ -221,7 +265,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 18u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 19u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -123,7 +123,8 @@ class Soup {
 
  private:
   unsigned AddObject(unsigned mask) {
-    objects_.push_back({0, mask, kernel::None, kernel::None, 0, ToKernel(glm::dmat4(1.0))});
+    objects_.push_back(
+        {0, mask, kernel::None, kernel::None, 0, ToKernel(glm::dmat4(1.0)), kernel::None});
     return unsigned(objects_.size()) - 1;
   }
   void AddMotion(Random& random, unsigned object, const kernel::Transform& place) {

@@ -261,7 +261,8 @@ const SectionOf<MaterialDraft>& MaterialSection() {
                     {ClassicMaterial(), DiffuseMaterial(),
                      ShinyMaterial("phong", "Matt with Phong's highlights.").Checked(FinishPhong),
                      ShinyMaterial("blinn", "Matt with Blinn's highlights.").Checked(FinishBlinn),
-                     DielectricMaterial(), MirrorMaterial(), MetalMaterial(), PhysicalMaterial()},
+                     DielectricMaterial(), MirrorMaterial(), MetalMaterial(), PhysicalMaterial(),
+                     VolumeMaterial()},
                     "classic")
           .Base("preset")
           .Checked(FinishMaterial);

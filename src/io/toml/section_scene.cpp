@@ -11,8 +11,8 @@
 
 namespace snell::io {
 
-using scene::Environment;
 using scene::Integrator;
+using scene::LightSampling;
 using scene::PixelFilter;
 using scene::RenderSettings;
 
@@ -23,20 +23,33 @@ static Keys<RenderSettings> SamplingKeys() {
       Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
   return {
       Field("spp", &RenderSettings::spp, Integer(1, 1 << 20), "Samples per pixel.")
+          .Standard("`16`, by paths `64`")
           .Not({"samples", "samples_per_pixel"}),
       Field("seed", &RenderSettings::seed, Seed(), "Another number gives other noise."),
       Field("integrator", &RenderSettings::integrator, integrators,
             "How light is followed: a tree of mirrored and refracted rays, or paths with all "
-            "reflections between surfaces."),
+            "reflections between surfaces.")
+          .Standard("`\"path\"` if an object has a physical material, else `\"whitted\"`"),
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
+      Field("max_volume_depth", &RenderSettings::maxVolumeDepth, Integer(0, 1000000),
+            "How often a path may be scattered within media and below surfaces.")
+          .Not({"volume_bounces", "volume_depth"}),
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
+      Field("clamp_indirect", &RenderSettings::clampIndirect, Number({0, 1e9}, "W/(sr·m²)"),
+            "Path tracer: the most that indirect light adds to a pixel at once, 0: any. Removes "
+            "fireflies and with them some light; how much is told.")
+          .Not({"clamp", "firefly_clamp", "max_radiance"}),
       Field("shadows", &RenderSettings::tintedShadows,
             Choice<bool>({{"tinted", true}, {"opaque", false}}),
-            "Whether clear materials colour the light that they let through, or block it.")};
+            "Whether clear materials colour the light that they let through, or block it."),
+      Field("light_sampling", &RenderSettings::lightSampling,
+            Choice<LightSampling>({{"tree", LightSampling::Tree}, {"power", LightSampling::Power}}),
+            "How the path tracer chooses among lights and what glows: by what each can bring to a "
+            "point, or by power alone, as a measure of what the former saves.")};
 }
 
 static Keys<RenderSettings> PictureKeys() {
@@ -44,7 +57,13 @@ static Keys<RenderSettings> PictureKeys() {
                                             {"tent", PixelFilter::Tent},
                                             {"gaussian", PixelFilter::Gaussian},
                                             {"blackman-harris", PixelFilter::BlackmanHarris}});
+  const auto samplers = Choice<scene::Sampler>(
+      {{"sobol", scene::Sampler::Sobol}, {"independent", scene::Sampler::Independent}});
   return {
+      Field("sampler", &RenderSettings::sampler, samplers,
+            "The path tracer's samples: of a sequence that covers pixels and lights evenly, or "
+            "random numbers, "
+            "which take more samples to the same picture."),
       Field("filter", &RenderSettings::filter, filters, "How samples are weighted around a pixel."),
       Field("filter_radius", &RenderSettings::filterRadius, Number({0, 16}, "pixels"),
             "Radius of the filter; 0: the usual one of its kind."),
@@ -68,50 +87,6 @@ const SectionOf<RenderDraft>& RenderSection() {
                                                 Within(&RenderDraft::settings, SamplingKeys()),
                                                 Within(&RenderDraft::settings, PictureKeys())}))
           .Checked(FinishRender);
-  return section;
-}
-
-// --- [environment] ------------------------------------------------------------------------------------------
-
-static void CheckEnvironment(Reader& reader, const Fields& fields, EnvironmentDraft& draft) {
-  if (draft.color) draft.environment.bottom = draft.environment.top = *draft.color;
-  if (draft.environment.bottomElevation < draft.environment.topElevation) return;
-  reader.Report(
-      fmt::format("'bottom_elevation' is not less than 'top_elevation' in {}", fields.title),
-      fields.PlaceOf(fields.Find("top_elevation") ? "top_elevation" : "bottom_elevation"));
-}
-
-static Keys<Environment> GradientKeys() {
-  return {Field("bottom", &Environment::bottom, Color(Brightness::Unlimited),
-                "Radiance at and below `bottom_elevation`.")
-              .Not({"bottom_color", "ground", "low"}),
-          Field("top", &Environment::top, Color(Brightness::Unlimited),
-                "Radiance at and above `top_elevation`.")
-              .Not({"top_color", "sky", "high"}),
-          Field("bottom_elevation", &Environment::bottomElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient begins."),
-          Field("top_elevation", &Environment::topElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient ends.")};
-}
-
-const SectionOf<EnvironmentDraft>& EnvironmentSection() {
-  const auto color = Field("color", &EnvironmentDraft::color, Color(Brightness::Unlimited),
-                           "Radiance from all directions, W/(sr·m²).")
-                         .Standard("by `bottom` and `top`")
-                         .Not({"radiance", "background", "colour"});
-  const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
-                         "Index of refraction of the space around the objects.")
-                       .Not({"index", "refractive_index", "index_of_refraction"});
-  static const SectionOf<EnvironmentDraft> section =
-      SectionOf<EnvironmentDraft>(
-          "environment", "[environment]",
-          "What is behind everything: one colour, or a gradient from bottom to top. It is seen, "
-          "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
-          Join<EnvironmentDraft>({{color},
-                                  Within(&EnvironmentDraft::environment, GradientKeys()),
-                                  Within(&EnvironmentDraft::environment, {ior})}))
-          .OnlyOne({{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}})
-          .Checked(CheckEnvironment);
   return section;
 }
 
@@ -188,11 +163,12 @@ const SectionOf<GroupDraft>& GroupSection() {
 
 const std::vector<const Section*>& AllSections() {
   static const std::vector<const Section*> sections = {
-      &FileSection(),          &RenderSection(),   &CameraSection(),       &EnvironmentSection(),
-      &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
-      &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
-      &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &TextureSection(),       &TintSection(),     &MotionKeySection(),    &CameraKeySection()};
+      &FileSection(),     &RenderSection(),        &CameraSection(),   &EnvironmentSection(),
+      &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
+      &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
+      &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
+      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection(),
+      &ChannelSection(),  &MotionKeySection(),     &CameraKeySection()};
   return sections;
 }
 

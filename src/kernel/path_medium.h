@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A path's way through the medium between two surfaces: it may be absorbed, and it may be scattered before it gets to
+// the next surface. Glow along the way is added in closed form. Reads all buffers of the scene.
+#ifndef SNELL_KERNEL_PATH_MEDIUM_H
+#define SNELL_KERNEL_PATH_MEDIUM_H
+
+// End the path by chance, decided by u, if it can add little.
+SCENE_FN void PathRoulette(INOUT(PathState) s, float u) {
+  float least = MaxChannel(s.beta) * s.etaScale;
+  s.alive = least > 0.0f ? 1u : 0u;
+  if (s.depth + s.scatterings <= RouletteDepth || least >= 0.95f) return;
+  float survival = Max(least, 0.05f);
+  if (u >= survival) s.alive = 0u;
+  s.beta = s.beta * (1.0f / survival);
+}
+
+// What fills the body below whose surface the path wanders.
+SCENE_FN Medium WalkMedium(IN(PathState) s) {
+  LET(Physical) physical = physicals[materials[objects[s.walk].material].closure];
+  Medium medium;
+  medium.extinction = physical.subsurfaceExtinction;
+  medium.scattering = medium.extinction * s.walkAlbedo;
+  medium.emission = Spectrum(0.0f, 0.0f, 0.0f);
+  medium.anisotropy = physical.subsurfaceAnisotropy;
+  return medium;
+}
+
+// Scatter at a distance along the ray: gather the light of one source there and go on in another direction.
+SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack) media,
+                          float distance) {
+  bool walks = s.walk != None;
+  if (s.scatterings >= params.maxVolumeDepth || (s.depth >= params.maxDepth && !walks)) return;
+  s.scatterings += 1u;
+  PathVertex v = VertexInMedium(s.ray, distance, medium.anisotropy, media);
+  // Below a surface no light is sampled: it comes in where the path gets out
+  if (!walks) {
+    Spectrum sampled = SampledLight(s, v);
+    PathAdd(s, s.beta * sampled, PathVertices(s) - 1u);
+  }
+
+  s.ray.o = v.p;
+  s.ray.d = SamplePhase(v.g, v.wo, PathSample2D(s));
+  s.media = media;
+  s.coneWidth += params.coneSpread * distance;
+  s.passes = 0u;
+  s.bsdfPdf = walks ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);
+  s.lastPoint = VertexAbove(v);
+  s.lastNormal = VertexFacing(v);
+  s.rays.reflected += 1u;
+  PathRoulette(s, PathSample2D(s).x);
+}
+
+// Follow the ray through the media around it. True: it gets as far as `distance`, with what is left of it. False: it
+// ends on the way, or has been scattered into another direction.
+SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float distance) {
+  Medium medium;
+  if (s.walk != None) {
+    medium = WalkMedium(s);
+  } else {
+    medium = MediumOf(CurrentMedium(media));
+  }
+  float reach = Min(distance, LongestFlight);
+  if (!IsBlack(medium.emission))
+    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach),
+            PathVertices(s) - 1u);
+  if (IsBlack(medium.extinction)) return true;
+  if (IsBlack(medium.scattering)) {
+    s.beta = s.beta * Exp(medium.extinction * -reach);
+    return !IsBlack(s.beta);
+  }
+  FlightSample flight = SampleFlight(medium, s.beta, reach, PathSample2D(s));
+  s.beta = s.beta * flight.weight;
+  if (flight.scattered == 0u) return true;
+  if (!IsBlack(s.beta)) PathScatter(s, medium, media, flight.t);
+  return false;
+}
+
+#endif
