@@ -23,7 +23,6 @@
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_frame.h"
 #include "kernel/path_shadow.h"
-#include "kernel/path_environment.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/path_light.h"
