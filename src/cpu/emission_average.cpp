@@ -31,12 +31,14 @@ struct EmissionKernel {
   const vec2* uvs;
   const vec4* tangents;
   const vec4* colors;
+  const MotionKey* motions;
   const Texture* textures;
   const Image* images;
   const uint* texels;
 
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_texture.h"
 };
@@ -56,8 +58,8 @@ Spectrum AverageEmission(const FlatScene& flat, const Emitter& emitter, const Ma
   EmissionKernel kernel = {flat.objects.data(), flat.shapes.data(),    flat.instances.data(),
                            flat.meshes.data(),  flat.triangles.data(), flat.positions.data(),
                            flat.normals.data(), flat.uvs.data(),       flat.tangents.data(),
-                           flat.colors.data(),  flat.textures.data(),  flat.images.data(),
-                           flat.texels.data()};
+                           flat.colors.data(),  flat.motions.data(),   flat.textures.data(),
+                           flat.images.data(),  flat.texels.data()};
   const Texture& texture = flat.textures[index];
   const bool isSphere =
       emitter.instance == INSTANCE_SHAPE && flat.shapes[emitter.primitive].kind == SHAPE_SPHERE;

@@ -12,11 +12,15 @@ namespace {
 // The part of the kernel that reads textures (cpu/kernel.h binds all of it).
 struct TextureKernel {
   const Object* objects;
+  const Shape* shapes;
+  const Instance* instances;
+  const MotionKey* motions;
   const Texture* textures;
   const Image* images;
   const uint* texels;
 
 #include "kernel/scene_image.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_texture.h"
 };
 
@@ -25,8 +29,14 @@ struct TextureKernel {
 tessellate::TextureLookup LookupIn(const FlatScene& flat) {
   return [&flat](scene::TextureIndex index, int channel, const tessellate::TexturePoint& point) {
     // The point is where the texture wants it already
-    static const Object here = {0, 0, None, ToTransform(scene::Affine(1.0)), 0};
-    TextureKernel kernel = {&here, flat.textures.data(), flat.images.data(), flat.texels.data()};
+    static const Object here = {0, 0, None, None, 0, ToTransform(scene::Affine(1.0)), 0};
+    TextureKernel kernel = {&here,
+                            flat.shapes.data(),
+                            flat.instances.data(),
+                            flat.motions.data(),
+                            flat.textures.data(),
+                            flat.images.data(),
+                            flat.texels.data()};
     const Texture& texture = flat.textures[std::size_t(index)];
     SurfaceInteraction it = {};
     it.p = texture.space == SPACE_WORLD ? point.world : point.local;
