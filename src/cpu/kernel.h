@@ -38,6 +38,7 @@ struct Kernel {
   const MotionKey* motions;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
+  AovSample* aovs = nullptr;          // its record
 
   Hit ClosestHit(const Ray& ray, float tMax, uint mask) {
     const bvh::Intersection found = bvh.Closest(ray, tMax, mask);
@@ -50,6 +51,7 @@ struct Kernel {
 #include "kernel/path_medium.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_camera.h"
 #include "kernel/scene_emitter.h"

@@ -35,8 +35,10 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   PathVertex v = VertexInMedium(s.ray, distance, medium.anisotropy, media);
   // Below a surface no light is sampled: it comes in where the path gets out
   if (!walks) {
+    AovMedium(v.p, CurrentMedium(media));
+    AovPathFeatures(s.beta * s.etaScale, Spectrum(1.0f, 1.0f, 1.0f), vec3(0.0f, 0.0f, 0.0f));
     Spectrum sampled = SampledLight(s, v);
-    PathAdd(s, s.beta * sampled, PathVertices(s) - 1u);
+    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s) - 1u);
   }
 
   s.ray.o = v.p;
@@ -62,7 +64,7 @@ SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float d
   }
   float reach = Min(distance, LongestFlight);
   if (!IsBlack(medium.emission))
-    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach),
+    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach), 0u,
             PathVertices(s) - 1u);
   if (IsBlack(medium.extinction)) return true;
   if (IsBlack(medium.scattering)) {

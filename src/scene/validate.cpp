@@ -51,12 +51,22 @@ class Checker {
             "the surroundings' index of refraction must be positive");
     CheckMedium(scene_.environment.medium, "the surroundings' medium");
     for (const Light& light : scene_.lights) CheckLight(light);
+    CheckLightGroups(LightGroupsOf(scene_));
     for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
     for (const Material& material : scene_.materials) CheckMaterial(material);
     for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
     for (const Object& object : scene_.objects) CheckObject(object);
     ThrowFindings();
+  }
+
+  void CheckLightGroups(const std::vector<std::string>& groups) {
+    Require(groups.size() <= kernel::MaxLightGroups,
+            fmt::format("the scene names {} light groups; there may be {} at most",
+                        groups.size() - 1, kernel::MaxLightGroups - 1));
+    for (const std::string& name : groups)
+      Require(name.empty() || IsLightGroupName(name),
+              fmt::format("'{}' cannot be the name of a light group", name));
   }
 
   void CheckSettings(const RenderSettings& s) {
@@ -364,6 +374,7 @@ class Checker {
 bool HasLight(const Scene& scene) {
   if (!scene.lights.empty()) return true;
   if (scene.environment.map >= 0) return true;
+  if (scene.environment.medium.emission != Spectrum(0.0f)) return true;
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {
@@ -371,6 +382,7 @@ bool HasLight(const Scene& scene) {
     const ColorInput& emission =
         material.physical ? material.physical->emission : material.emission;
     if (emission.value != Spectrum(0.0f)) return true;
+    if (material.volume && material.volume->emission != Spectrum(0.0f)) return true;
   }
   return false;
 }

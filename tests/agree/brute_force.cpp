@@ -66,6 +66,7 @@ struct BruteForceKernel {
   const LightNode* lightNodes;
   const MotionKey* motions;
   WhittedBranch branches[WhittedStackSize];
+  AovSample aovs[1];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
@@ -73,6 +74,7 @@ struct BruteForceKernel {
 #include "kernel/path_medium.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_camera.h"
 #include "kernel/scene_emitter.h"
@@ -120,24 +122,38 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,           CountsOf(scene),
-                          scene.objects.data(),   scene.shapes.data(),
-                          scene.instances.data(), scene.meshes.data(),
-                          scene.triangles.data(), scene.positions.data(),
-                          scene.normals.data(),   scene.uvs.data(),
-                          scene.tangents.data(),  scene.colors.data(),
-                          scene.materials.data(), scene.terms.data(),
-                          scene.physicals.data(), scene.textures.data(),
-                          scene.images.data(),    scene.texels.data(),
-                          scene.lights.data(),    scene.emitters.data(),
-                          scene.albedos.data(),   scene.lightNodes.data(),
-                          scene.motions.data(),   {}};
+  BruteForceKernel kernel{scene.params,
+                          CountsOf(scene),
+                          scene.objects.data(),
+                          scene.shapes.data(),
+                          scene.instances.data(),
+                          scene.meshes.data(),
+                          scene.triangles.data(),
+                          scene.positions.data(),
+                          scene.normals.data(),
+                          scene.uvs.data(),
+                          scene.tangents.data(),
+                          scene.colors.data(),
+                          scene.materials.data(),
+                          scene.terms.data(),
+                          scene.physicals.data(),
+                          scene.textures.data(),
+                          scene.images.data(),
+                          scene.texels.data(),
+                          scene.lights.data(),
+                          scene.emitters.data(),
+                          scene.albedos.data(),
+                          scene.lightNodes.data(),
+                          scene.motions.data(),
+                          {},
+                          {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {
     for (uint x = 0; x < resolution.x; ++x) {
       loopsOfPixel = 0;
       result.radiance.push_back(kernel.Radiance(scene.integrator, uvec2(x, y), sample));
+      if (scene.params.aovs == 1) result.aovs.push_back(kernel.aovs[0]);
       result.loops.push_back(loopsOfPixel);
     }
   }

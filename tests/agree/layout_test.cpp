@@ -11,6 +11,7 @@
 
 #include "agree/brute_force.h"
 #include "agree/spirv.h"
+#include "kernel/aov.h"
 #include "kernel/types.h"
 
 namespace snell::agree {
@@ -45,6 +46,11 @@ template <>
 const char* NameInGlsl<float[FilterQuantileCount]>() {
   static const std::string name = fmt::format("float[{}]", FilterQuantileCount);
   return name.c_str();
+}
+
+template <>
+const char* NameInGlsl<Spectrum[MaxLightGroups]>() {
+  return "vec3[16]";
 }
 
 template <>
@@ -154,26 +160,28 @@ std::map<std::string, Record> RecordsInCpp() {
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
          MEMBER(Term, color)}}},
       {"Material",
-       {sizeof(Material), {MEMBER(Material, firstTerm),    MEMBER(Material, termCount),
-                           MEMBER(Material, reflection),   MEMBER(Material, refractive),
-                           MEMBER(Material, thin),         MEMBER(Material, priority),
-                           MEMBER(Material, ior),          MEMBER(Material, dispersion),
-                           MEMBER(Material, inside),       MEMBER(Material, container),
-                           MEMBER(Material, emission),     MEMBER(Material, reflectivity),
-                           MEMBER(Material, transparency), MEMBER(Material, physical),
-                           MEMBER(Material, closure),      MEMBER(Material, textured),
-                           MEMBER(Material, textures),     MEMBER(Material, singleSided),
-                           MEMBER(Material, alphaMode),    MEMBER(Material, opacity),
-                           MEMBER(Material, alphaCutoff),  MEMBER(Material, normalScale),
-                           MEMBER(Material, bumpMap),      MEMBER(Material, bumpScale)}}},
+       {sizeof(Material), {MEMBER(Material, lightGroup),   MEMBER(Material, firstTerm),
+                           MEMBER(Material, termCount),    MEMBER(Material, reflection),
+                           MEMBER(Material, refractive),   MEMBER(Material, thin),
+                           MEMBER(Material, priority),     MEMBER(Material, ior),
+                           MEMBER(Material, dispersion),   MEMBER(Material, inside),
+                           MEMBER(Material, container),    MEMBER(Material, emission),
+                           MEMBER(Material, reflectivity), MEMBER(Material, transparency),
+                           MEMBER(Material, physical),     MEMBER(Material, closure),
+                           MEMBER(Material, textured),     MEMBER(Material, textures),
+                           MEMBER(Material, singleSided),  MEMBER(Material, alphaMode),
+                           MEMBER(Material, opacity),      MEMBER(Material, alphaCutoff),
+                           MEMBER(Material, normalScale),  MEMBER(Material, bumpMap),
+                           MEMBER(Material, bumpScale)}}},
       {"Light",
        {sizeof(Light),
-        {MEMBER(Light, kind), MEMBER(Light, falloff), MEMBER(Light, samples),
-         MEMBER(Light, emission), MEMBER(Light, position), MEMBER(Light, direction),
-         MEMBER(Light, edgeU), MEMBER(Light, edgeV), MEMBER(Light, radius), MEMBER(Light, area),
-         MEMBER(Light, cosInner), MEMBER(Light, cosOuter), MEMBER(Light, oneMinusCos),
-         MEMBER(Light, factor), MEMBER(Light, range), MEMBER(Light, found), MEMBER(Light, nextSun),
-         MEMBER(Light, node), MEMBER(Light, next)}}},
+        {MEMBER(Light, kind),      MEMBER(Light, group),       MEMBER(Light, falloff),
+         MEMBER(Light, samples),   MEMBER(Light, emission),    MEMBER(Light, position),
+         MEMBER(Light, direction), MEMBER(Light, edgeU),       MEMBER(Light, edgeV),
+         MEMBER(Light, radius),    MEMBER(Light, area),        MEMBER(Light, cosInner),
+         MEMBER(Light, cosOuter),  MEMBER(Light, oneMinusCos), MEMBER(Light, factor),
+         MEMBER(Light, range),     MEMBER(Light, found),       MEMBER(Light, nextSun),
+         MEMBER(Light, node),      MEMBER(Light, next)}}},
       {"Emitter",
        {sizeof(Emitter),
         {MEMBER(Emitter, primitive), MEMBER(Emitter, instance), MEMBER(Emitter, node),
@@ -187,10 +195,10 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Environment",
        {sizeof(Environment),
         {MEMBER(Environment, bottom), MEMBER(Environment, top), MEMBER(Environment, sinBottom),
-         MEMBER(Environment, sinTop), MEMBER(Environment, ior), MEMBER(Environment, visible),
-         MEMBER(Environment, map), MEMBER(Environment, scale), MEMBER(Environment, turn),
-         MEMBER(Environment, dull), MEMBER(Environment, density), MEMBER(Environment, share),
-         MEMBER(Environment, tables), MEMBER(Environment, firstSun)}}},
+         MEMBER(Environment, sinTop), MEMBER(Environment, ior), MEMBER(Environment, group),
+         MEMBER(Environment, visible), MEMBER(Environment, map), MEMBER(Environment, scale),
+         MEMBER(Environment, turn), MEMBER(Environment, dull), MEMBER(Environment, density),
+         MEMBER(Environment, share), MEMBER(Environment, tables), MEMBER(Environment, firstSun)}}},
       {"Camera",
        {sizeof(Camera),
         {MEMBER(Camera, kind), MEMBER(Camera, inside), MEMBER(Camera, resolution),
@@ -204,6 +212,8 @@ std::map<std::string, Record> RecordsInCpp() {
         {MEMBER(RenderParams, camera),
          MEMBER(RenderParams, environment),
          MEMBER(RenderParams, ambient),
+         MEMBER(RenderParams, ambientByGroup),
+         MEMBER(RenderParams, aovs),
          MEMBER(RenderParams, lightCount),
          MEMBER(RenderParams, lightNodeCount),
          MEMBER(RenderParams, firstDirectional),
@@ -221,6 +231,12 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(RenderParams, coneWidth),
          MEMBER(RenderParams, coneSpread),
          MEMBER(RenderParams, filterQuantiles)}}},
+      {"AovSample",
+       {sizeof(AovSample),
+        {MEMBER(AovSample, start), MEMBER(AovSample, seen), MEMBER(AovSample, object),
+         MEMBER(AovSample, depth), MEMBER(AovSample, position), MEMBER(AovSample, uv),
+         MEMBER(AovSample, described), MEMBER(AovSample, albedo), MEMBER(AovSample, normal),
+         MEMBER(AovSample, group), MEMBER(AovSample, direct), MEMBER(AovSample, groups)}}},
       {"PrimitiveCounts",
        {sizeof(PrimitiveCounts),
         {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),

@@ -276,6 +276,7 @@ vec3 PointAhead(const vec3& position, const vec3& direction);
 struct RenderDraft {
   scene::RenderSettings settings;
   std::array<int, 2> size{settings.width, settings.height};
+  std::vector<scene::Aov> aovs;
 };
 
 struct SkyDraft {
