@@ -44,7 +44,8 @@ TEST(Motion, IsCutWhereItTurns) {
   const Motion turn = {{0, Turned(0, y, {0, 0, 0}, one)}, {1, Turned(90, y, {0, 0, 0}, one)}};
   EXPECT_EQ(StepsOf(turn, 0, 1), 45);
   EXPECT_EQ(StepsOf(turn, 0, 0.1), 5);
-  EXPECT_EQ(StepsOf(turn, 0.9, 3), 5);
+  EXPECT_EQ(StepsOf(turn, 0.9, 1), 5);
+  EXPECT_EQ(StepsOf(turn, 0.9, 3), 21) << "the last key lies on the first of the cuts";
   const Motion move = {{0, Turned(0, y, {0, 0, 0}, one)}, {1, Turned(0, y, {1, 0, 0}, one)}};
   EXPECT_EQ(StepsOf(move, 0, 1), 1);
   // A corner after three tenths of the time
