@@ -279,7 +279,6 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   if (from.volume) {
     m.container = 1;
     m.thin = 0;
-    m.ior = flat.params.environment.ior;
     m.inside = FlattenMedium(*from.volume);
   }
   m.emission = from.emission.value;
@@ -298,6 +297,8 @@ void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
   for (const scene::Material& material : scene.materials) {
     flat.materials.push_back(FlattenMaterial(material, flat));
     flat.materials.back().lightGroup = scene::LightGroupIndex(groups, material.lightGroup);
+    // Boundaries that are not seen bend nothing
+    if (material.volume) flat.materials.back().ior = scene.environment.ior;
   }
 }
 
