@@ -143,7 +143,8 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from
   float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
   if (sourcePdf <= 0.0f) return none;
   s.rays.shadow += 1u;
-  return f * Le * PathTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
+  return f * Le *
+         PathTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d), s.ray.time) *
          (1.0f / (sourcePdf + pdf));
 }
 
@@ -179,9 +180,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  Spectrum arriving =
-      f * li.irradiance *
-      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
+  Spectrum arriving = f * li.irradiance *
+                      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance,
+                                        VertexMedia(v, li.wi), s.ray.time);
   float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }

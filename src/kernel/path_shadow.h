@@ -15,10 +15,11 @@ SCENE_FN Spectrum UnscatteredShare(IN(MediumStack) media, float distance) {
 // The share of light that arrives at `start` from the direction wi, from as far as `distance`. `mediaAtStart` is what
 // surrounds the start.
 SCENE_FN Spectrum PathTransmittance(vec3 start, vec3 wi, float distance,
-                                    IN(MediumStack) mediaAtStart) {
+                                    IN(MediumStack) mediaAtStart, float time) {
   Ray ray;
   ray.o = start;
   ray.d = wi;
+  ray.time = time;
   if (AnyHit(ray, distance, MASK_SHADOW)) return Spectrum(0.0f, 0.0f, 0.0f);
   if (params.tintedShadows == 0u) return UnscatteredShare(mediaAtStart, distance);
 
