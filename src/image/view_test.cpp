@@ -54,7 +54,7 @@ TEST(Views, SrgbAndRawAreTheCodesOfThePicture) {
 // The values that the specification's formula gives (KhronosGroup/ToneMapping, PBR_Neutral).
 TEST(Views, NeutralKeepsBaseColors) {
   // White light adds a dielectric's reflection of 0.04, which the toe takes away
-  for (const vec3& base : {vec3(0.5f), vec3(0.8f, 0.1f, 0.3f), vec3(0.2f, 0.6f, 0.76f)})
+  for (const vec3& base : {vec3(0.5f), vec3(0.75f, 0.1f, 0.3f), vec3(0.2f, 0.6f, 0.76f)})
     ExpectNear(NeutralTone(base * 0.96f + vec3(0.04f)), base * 0.96f, 1e-6f);
   ExpectNear(NeutralTone(vec3(0.54f)), vec3(0.5f), 1e-6f);
   ExpectNear(NeutralTone(vec3(0.04f)), vec3(0.04f * 0.04f / 0.16f), 1e-7f);
@@ -91,7 +91,7 @@ TEST(Views, AgxBleachesBrightColors) {
 // Hill's fit: its rational function at grey, where the matrices change next to nothing.
 TEST(Views, AcesPlacesGreyAsTheReference) {
   ExpectNear(AcesTone(vec3(0.18f)), vec3(0.1056f), 5e-4f);
-  ExpectNear(AcesTone(vec3(1.0f)), vec3(0.6164f), 2e-3f);
+  ExpectNear(AcesTone(vec3(1.0f)), vec3(0.6191f), 5e-4f);
   EXPECT_GT(AcesTone(vec3(16.0f)).y, 0.97f);
 }
 

@@ -23,7 +23,6 @@ TEST(Cryptomatte, IdsAreThoseOfTheSamplePictures) {
   EXPECT_EQ(CryptomatteId("bush"), 0xf763d090u);
   EXPECT_EQ(CryptomatteId("flowerA.flowerA_petal1.:1015"), 0x914754e4u);
   EXPECT_EQ(CryptomatteId("flowerA.flowerA_petal1.:134"), 0xdbc045b9u);
-  // The hash has no exponent; as a float it would be denormal
   EXPECT_EQ(CryptomatteId("flowerA.flowerA_petal1.:2261"), 0x00af91aeu);
 }
 

