@@ -14,7 +14,10 @@ class Commands : public InScratchFolder {
 
   // A picture of one colour.
   void WriteGrey(const std::string& name, float value, int width = 8) {
-    Picture picture{width, 8, std::vector<float>(std::size_t(width) * 24, value)};
+    Picture picture;
+    picture.width = width;
+    picture.height = 8;
+    picture.rgb.assign(std::size_t(width) * 24, value);
     PictureOptions options;
     options.exrFloat = true;
     WritePicture(Path(name), picture, options);
