@@ -32,7 +32,7 @@ static Keys<Medium> MediumKeys() {
               .Not({"g", "phase"}),
           coefficient("glow", &Medium::emission, "W/(sr·m³)",
                       "The radiance that a metre adds, for thin media.")
-              .Not({"emission", "volume_emission"})};
+              .Not({"volume_emission"})};
 }
 
 const SectionOf<Medium>& MediumSection() {

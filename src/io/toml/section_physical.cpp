@@ -144,7 +144,8 @@ static Keys<OpenPbr> LayerKeys() {
           Field("coat_roughness", &OpenPbr::coatRoughness, Share(), "Of the clear coat."),
           Field("coat_roughness_anisotropy", &OpenPbr::coatRoughnessAnisotropy, Number({0, 1}),
                 "Of the clear coat."),
-          Field("coat_ior", &OpenPbr::coatIor, Number({1, 10}), "Index of refraction of the coat."),
+          Field("coat_ior", &OpenPbr::coatIor, Number({1, 10}), "Index of refraction of the coat.")
+              .Example("1.6"),
           Field("coat_darkening", &OpenPbr::coatDarkening, Number({0, 1}),
                 "How far reflections inside the coat darken the base; 1 is physical."),
           Field("fuzz_weight", &OpenPbr::fuzzWeight, Share(), "Of the fuzz, as on velvet.")

@@ -37,6 +37,8 @@ const std::map<std::string, std::string> Frames = {
     {"texture", "[texture.t]\n$"},
     {"motion_key", "[[object]]\nshape = \"box\"\nmotion = [{ $ }, { time = 2 }]"},
     {"camera_key", "[camera]\nmotion = [{ $ }, { time = 2 }]"},
+    {"medium", "[environment]\nmedium = { $ }"},
+    {"channel", "[material.m]\ntype = \"openpbr\"\nspecular_roughness = { $ }"},
     {"tint", "[material.m]\ntype = \"phong\"\ndiffuse = { $ }"}};
 
 // A key with the section and the variant (or null) that it stands in.
