@@ -69,7 +69,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.minContribution = settings.minContribution;
   flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
-  flat.params.aovs = settings.aovs.Empty() && !settings.denoise ? 0 : 1;
+  const std::vector<std::string> lightGroups = scene::LightGroupsOf(scene);
+  if (!settings.aovs.Empty() || settings.denoise) flat.params.aovs = uint(lightGroups.size());
   flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
   flat.params.samplesLog2 = SamplesLog2(settings.spp);
   flat.params.lightSampling =
@@ -98,8 +99,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   }
   const Spectrum ambientOfLights = flat.params.ambient;
   FlattenEnvironment(scene.environment, flat);
-  const uint group =
-      scene::LightGroupIndex(scene::LightGroupsOf(scene), scene.environment.lightGroup);
+  const uint group = scene::LightGroupIndex(lightGroups, scene.environment.lightGroup);
   flat.params.environment.group = group;
   flat.params.ambientByGroup[group] += flat.params.ambient - ambientOfLights;
 

@@ -260,7 +260,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
     v.bsdf = WithoutSubsurface(v.bsdf);
   v.object = it.object;
-  if (params.aovs == 1u && (deepest || !IsPerfectlySmooth(v.bsdf)))
+  if (params.aovs != 0u && (deepest || !IsPerfectlySmooth(v.bsdf)))
     AovPathFeatures(s.beta * s.etaScale,
                     AlbedoOfPhysical(physicals[material.closure], shown, it.color) + Le,
                     FaceForward(it.ns, n));

@@ -34,7 +34,7 @@ SCENE_FN Spectrum AovLight(Spectrum L, uint group, uint scatterings) {
 // The same for ambient lights, of which this is the weight.
 SCENE_FN void AovAmbient(Spectrum weight, uint scatterings) {
   if (params.aovs == 0u) return;
-  for (uint i = 0u; i < MaxLightGroups; ++i) aovs[0].groups[i] += weight * params.ambientByGroup[i];
+  for (uint i = 0u; i < params.aovs; ++i) aovs[0].groups[i] += weight * params.ambientByGroup[i];
   if (scatterings <= 1u) aovs[0].direct += weight * params.ambient;
 }
 

@@ -428,7 +428,7 @@ struct RenderParams {
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   Spectrum ambientByGroup[MaxLightGroups];
-  uint aovs;  // 1: samples tell more than their radiance (aov.h)
+  uint aovs;  // light groups, if samples tell more than their radiance (aov.h); else 0
   uint lightCount;
   uint lightNodeCount;    // 0: there is no light tree
   uint firstDirectional;  // the first directional light, or None

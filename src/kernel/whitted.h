@@ -173,7 +173,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
     Spectrum background = branch.weight * BackgroundLe(ray.d, fromCamera);
     s.L += background;
     AovBackground(branch.weight, ray.d, fromCamera, branch.scatterings);
-    if (params.aovs == 1u && branch.described == 0u)
+    if (params.aovs != 0u && branch.described == 0u)
       AovFeatures(background, vec3(0.0f, 0.0f, 0.0f));
     WhittedNext(s);
     return;
@@ -222,7 +222,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
       LET(Light) light = lights[object.light];
       Spectrum shining = branch.weight * light.emission;
       s.L += AovLight(shining, light.group, branch.scatterings);
-      if (params.aovs == 1u && branch.described == 0u)
+      if (params.aovs != 0u && branch.described == 0u)
         AovFeatures(shining, ns * MeanChannel(branch.weight));
     }
     WhittedNext(s);
@@ -273,7 +273,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Spectrum emission = material.emission * ShownColor(shown, ROLE_EMISSION);
   AovSurface(it);
   AovLight(branch.weight * emission, material.lightGroup, branch.scatterings);
-  if (params.aovs == 1u && branch.described == 0u &&
+  if (params.aovs != 0u && branch.described == 0u &&
       WhittedFeatures(it, material, shown, point, shares, branch.weight, emission, ns, deeper))
     branch.described = 1u;
   s.branch.weight = branch.weight;

@@ -153,7 +153,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
     for (uint x = 0; x < resolution.x; ++x) {
       loopsOfPixel = 0;
       result.radiance.push_back(kernel.Radiance(scene.integrator, uvec2(x, y), sample));
-      if (scene.params.aovs == 1) result.aovs.push_back(kernel.aovs[0]);
+      if (scene.params.aovs != 0) result.aovs.push_back(kernel.aovs[0]);
       result.loops.push_back(loopsOfPixel);
     }
   }

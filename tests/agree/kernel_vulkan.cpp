@@ -47,7 +47,7 @@ void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
         Bytes(scene.lights),     Bytes(scene.emitters),  Bytes(scene.albedos),
         Bytes(scene.lightNodes), Bytes(scene.motions)})
     buffers_.emplace_back(device_, content);
-  tellsMore_ = scene.params.aovs == 1;
+  tellsMore_ = scene.params.aovs != 0;
   buffers_.emplace_back(device_, (tellsMore_ ? pixels : 1) * sizeof(kernel::AovSample));
   buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
   program_.Bind(buffers_);

@@ -47,5 +47,5 @@ void main() {
   while (state.alive == 1u) PathStep(state);
   uint index = pixel.y * size.x + pixel.x;
   radiance[index] = state.L;
-  if (params.aovs == 1u) aovSamples[index] = aovs[0];
+  if (params.aovs != 0u) aovSamples[index] = aovs[0];
 }
