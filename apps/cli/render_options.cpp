@@ -80,7 +80,7 @@ void AddViewOptions(CLI::App& command, RenderArguments& a) {
 
 void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
-           "Samples per pixel (the scene's, or 16; 64 by paths)");
+           "Samples per pixel; for paths 64 (the scene's, or 16)");
   AddEndOptions(command, a.film);
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,

@@ -70,13 +70,9 @@ SCENE_FN void PathAddUnbounded(INOUT(PathState) s, vec3 d, bool fromCamera) {
   }
 }
 
-// Gather the light of one source at a surface, then choose the way on.
-SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
+// Choose the way on from a vertex on a surface.
+SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
   bool walks = s.walk != None;
-  if (!walks) {
-    Spectrum sampled = SampledLight(s, v);
-    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s));
-  }
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
   if (next.pdf <= 0.0f) return;
@@ -117,8 +113,9 @@ SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
   PathRoulette(s, lobe.y);
 }
 
-// Get out of the body below whose surface the path has wandered, evenly to all sides.
-SCENE_FN void PathEmerge(INOUT(PathState) s, IN(SurfaceInteraction) it, IN(Material) material) {
+// The vertex where the path gets out of the body below whose surface it has wandered, evenly to all sides.
+SCENE_FN PathVertex EmergingVertex(INOUT(PathState) s, IN(SurfaceInteraction) it,
+                                   IN(Material) material) {
   RoleTexels shown = TexelsAt(material, it);
   PathVertex v;
   v.p = it.p;
@@ -135,37 +132,24 @@ SCENE_FN void PathEmerge(INOUT(PathState) s, IN(SurfaceInteraction) it, IN(Mater
   v.bsdf = DiffuseBsdf(Spectrum(1.0f, 1.0f, 1.0f));
   v.object = it.object;
   s.walk = None;
-  PathGoOn(s, v);
+  return v;
 }
 
-// Follow the ray to the next vertex, gather light there, and find the way on.
-SCENE_FN void PathStep(INOUT(PathState) s) {
-  Ray ray = s.ray;
-  s.alive = 0u;
-  bool fromCamera = s.depth == 1u && s.scatterings == 0u && s.walk == None;
-  Hit hit = ClosestHit(ray, Infinite, fromCamera ? MASK_CAMERA : MASK_SECONDARY);
-  if (hit.primitive == None) {
-    // Bodies that are not closed let the path out to nowhere
-    if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
-    PathAddUnbounded(s, ray.d, fromCamera);
-    return;
-  }
-  SurfaceInteraction it = SurfaceAt(hit, ray);
+// What a path finds where it meets a surface, and the vertex there. False: it ends or goes on without one.
+SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceInteraction) it,
+                            IN(MediumStack) media, OUT(PathVertex) v) {
   LET(Object) object = objects[it.object];
   LET(Material) material = materials[object.material];
-  vec3 wo = -ray.d;
+  vec3 wo = -s.ray.d;
   vec3 n = FaceForward(it.n, wo);
   float coneWidth = s.coneWidth + params.coneSpread * it.t;
   it.footprint = coneWidth / Max(abs(Dot(n, wo)), 0.05f);
 
-  // See how far the medium lets it, and what of it
-  MediumStack media = MediaBehind(s.media, it, ray.d);
   uint inside = CurrentMedium(media);
-  if (!PathGetsThrough(s, media, it.t)) return;
   if (it.object == s.walk) {
     s.coneWidth = coneWidth;
-    PathEmerge(s, it, material);
-    return;
+    v = EmergingVertex(s, it, material);
+    return true;
   }
 
   // Pass where the surface is open, by chance where it is half so
@@ -173,26 +157,26 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   float opacity = OpacityOf(material, shown, it.alpha);
   if (material.singleSided == 1u && Dot(it.n, wo) < 0.0f) opacity = 0.0f;
   if (opacity < 1.0f && PathSample2D(s).x >= opacity) {
-    if (s.passes == MaxPasses) return;
+    if (s.passes == MaxPasses) return false;
     s.passes += 1u;
     s.media = media;
     s.coneWidth = coneWidth;
-    s.ray.o = OffsetRayOrigin(it.p, it.pError, n, ray.d);
+    s.ray.o = OffsetRayOrigin(it.p, it.pError, n, s.ray.d);
     s.alive = 1u;
-    return;
+    return false;
   }
 
   // The surface of an area light shines from its front
   if (object.light != None) {
     AovSurface(it);
-    if (Dot(it.n, wo) <= 0.0f) return;
+    if (Dot(it.n, wo) <= 0.0f) return false;
     LET(Light) light = lights[object.light];
     AovPathFeatures(s.beta * s.etaScale, light.emission, n);
     PathAdd(
         s,
-        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint)),
+        s.beta * light.emission * FoundWeight(s, object.light, s.ray.d, Length(it.p - s.lastPoint)),
         light.group, PathVertices(s) - 1u);
-    return;
+    return false;
   }
 
   // Find what lies behind a refractive boundary
@@ -204,17 +188,17 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   float eta = material.ior / nearIor;
   if (hasInside) {
     mediaBehind =
-        Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
+        Dot(s.ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
     uint behind = CurrentMedium(mediaBehind);
     if (behind == inside || material.container == 1u || s.walk != None) {
       // Pass a boundary that is not there: within a body of higher priority, or of nothing but a medium
-      if (s.passes == MaxPasses) return;
+      if (s.passes == MaxPasses) return false;
       s.passes += 1u;
       s.media = mediaBehind;
       s.coneWidth = coneWidth;
-      s.ray.o = OffsetRayOrigin(it.p, it.pError, it.n, ray.d);
+      s.ray.o = OffsetRayOrigin(it.p, it.pError, it.n, s.ray.d);
       s.alive = 1u;
-      return;
+      return false;
     }
     eta = MediumIor(behind, s.wavelength) / nearIor;
   }
@@ -226,18 +210,17 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       LET(Emitter) emitter = emitters[object.emitters + hit.primitive];
       float pdf = PdfSource(s.lastPoint, s.lastNormal, emitter.node);
       if (pdf > 0.0f)
-        pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
+        pdf *= PdfEmitter(emitter, it, s.lastPoint, s.ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
     PathAdd(s, s.beta * Le * weight, material.lightGroup, PathVertices(s) - 1u);
   }
   bool deepest = s.depth >= params.maxDepth;
-  if (material.closure == None || (deepest && params.aovs == 0u)) return;
+  if (material.closure == None || (deepest && params.aovs == 0u)) return false;
 
   // Set up the surface's scattering in the frame of its shading normal
   vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
-  PathVertex v;
   v.p = it.p;
   v.pError = it.pError;
   v.wo = wo;
@@ -254,7 +237,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
   view.eta = eta;
   view.nearIor = nearIor;
-  view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
+  view.outside = hasInside && Dot(s.ray.d, it.n) > 0.0f ? 0u : 1u;
   v.bsdf = BsdfAt(material, shown, it.color, view);
   // Nothing wanders below a surface within a body that does, or seen from below
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
@@ -264,10 +247,52 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     AovPathFeatures(s.beta * s.etaScale,
                     AlbedoOfPhysical(physicals[material.closure], shown, it.color) + Le,
                     FaceForward(it.ns, n));
-  if (deepest) return;
+  if (deepest) return false;
   s.coneWidth = coneWidth;
+  return true;
+}
 
-  PathGoOn(s, v);
+// Follow the ray to the next vertex, gather light there, and find the way on.
+SCENE_FN void PathStep(INOUT(PathState) s) {
+  Ray ray = s.ray;
+  s.alive = 0u;
+  bool fromCamera = s.depth == 1u && s.scatterings == 0u && s.walk == None;
+  Hit hit = ClosestHit(ray, Infinite, fromCamera ? MASK_CAMERA : MASK_SECONDARY);
+  bool found = hit.primitive != None;
+  SurfaceInteraction it;
+  it.t = Infinite;
+  MediumStack media = s.media;
+  if (found) {
+    it = SurfaceAt(hit, ray);
+    media = MediaBehind(media, it, ray.d);
+  }
+
+  // See how far the medium lets it, and what of it
+  float t;
+  float g;
+  uint flight = PathFlight(s, media, it.t, t, g);
+  if (flight == FLIGHT_OVER) return;
+  PathVertex v;
+  if (flight == FLIGHT_SCATTERS) {
+    v = MediumVertex(s, media, t, g);
+  } else if (!found) {
+    // Bodies that are not closed let the path out to nowhere
+    if (s.walk == None) PathAddUnbounded(s, ray.d, fromCamera);
+    return;
+  } else if (!SurfaceVertex(s, hit, it, media, v)) {
+    return;
+  }
+
+  // Gather the light of one source. Below a surface none is sampled: it comes in where the path gets out
+  if (s.walk == None) {
+    Spectrum sampled = SampledLight(s, v);
+    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s) - v.inMedium);
+  }
+  if (v.inMedium == 1u) {
+    PathScatter(s, v);
+  } else {
+    PathReflect(s, v);
+  }
 }
 
 #endif

@@ -118,34 +118,25 @@ SCENE_FN float FoundWeight(IN(PathState) s, uint index, vec3 wi, float distance)
   return s.bsdfPdf / (s.bsdfPdf + pick * PdfLi(light, s.lastPoint, wi, distance));
 }
 
-// Light from a point of something that glows, sampled at a vertex, towards where the path comes from. `pick`: the
-// probability of the choice.
-SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from,
-                                 IN(Emitter) emitter, float pick, vec2 u) {
-  Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
+// Light from a point of something that glows, as of a light; `pdf` is the point's density per solid angle.
+SCENE_FN LightLiSample SampleEmitterLi(IN(Emitter) emitter, vec3 from, vec2 u, OUT(float) pdf) {
+  LightLiSample li;
+  li.irradiance = Spectrum(0.0f, 0.0f, 0.0f);
+  pdf = 0.0f;
   Ray ray;
-  float reach;
-  SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, reach);
-  if (source.t <= 0.0f) return none;
-  float pdf;
-  Spectrum f = EvalVertex(v, ray.d, pdf);
-  if (IsBlack(f)) return none;
-
-  // What it sends this way from there
+  SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, li.distance);
+  li.wi = ray.d;
+  if (source.t <= 0.0f) return li;
   LET(Material) material = materials[objects[source.object].material];
-  if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
+  if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return li;
   aovs[0].group = material.lightGroup;
   source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
-  Spectrum Le =
-      EmissionAt(material, shown, Dot(source.ns, ray.d)) * OpacityOf(material, shown, source.alpha);
-  if (IsBlack(f * Le)) return none;
-  float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
-  if (sourcePdf <= 0.0f) return none;
-  s.rays.shadow += 1u;
-  return f * Le *
-         PathTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d), s.ray.time) *
-         (1.0f / (sourcePdf + pdf));
+  pdf = PdfEmitter(emitter, source, from, ray.d, source.t);
+  if (pdf <= 0.0f) return li;
+  li.irradiance = EmissionAt(material, shown, Dot(source.ns, ray.d)) *
+                  (OpacityOf(material, shown, source.alpha) / pdf);
+  return li;
 }
 
 // Light from one source, chosen and sampled at a vertex, towards where the path comes from.
@@ -166,14 +157,16 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
     choice.x = Min((choice.x - environment) / (1.0f - environment), 0.99999994f);
     uint source = ChooseSource(from, VertexFacing(v), choice, pick);
     if (source == None || pick <= 0.0f) return none;
-    if (source >= params.lightCount)
-      return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
-    LET(Light) light = lights[source];
-    aovs[0].group = light.group;
-    li = SampleLi(light, from, u);
-    // Rays that start inside a light's sphere do not meet it
-    bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
-    if (light.found == 1u && !isInside) lightPdf = PdfLi(light, from, li.wi, li.distance);
+    if (source >= params.lightCount) {
+      li = SampleEmitterLi(emitters[source - params.lightCount], from, u, lightPdf);
+    } else {
+      LET(Light) light = lights[source];
+      aovs[0].group = light.group;
+      li = SampleLi(light, from, u);
+      // Rays that start inside a light's sphere do not meet it
+      bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
+      if (light.found == 1u && !isInside) lightPdf = PdfLi(light, from, li.wi, li.distance);
+    }
   }
   if (IsBlack(li.irradiance)) return none;
   float pdf;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A path's way through the medium between two surfaces: it may be absorbed, and it may be scattered before it gets to
-// the next surface. Glow along the way is added in closed form. Reads all buffers of the scene.
+// the next surface. Each step of the path has its code once, for GPUs have no calls. Glow along the way is added in closed form. Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_MEDIUM_H
 #define SNELL_KERNEL_PATH_MEDIUM_H
 
@@ -26,36 +26,9 @@ SCENE_FN Medium WalkMedium(IN(PathState) s) {
   return medium;
 }
 
-// Scatter at a distance along the ray: gather the light of one source there and go on in another direction.
-SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack) media,
-                          float distance) {
-  bool walks = s.walk != None;
-  if (s.scatterings >= params.maxVolumeDepth || (s.depth >= params.maxDepth && !walks)) return;
-  s.scatterings += 1u;
-  PathVertex v = VertexInMedium(s.ray, distance, medium.anisotropy, media);
-  // Below a surface no light is sampled: it comes in where the path gets out
-  if (!walks) {
-    AovMedium(v.p, CurrentMedium(media));
-    AovPathFeatures(s.beta * s.etaScale, Spectrum(1.0f, 1.0f, 1.0f), vec3(0.0f, 0.0f, 0.0f));
-    Spectrum sampled = SampledLight(s, v);
-    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s) - 1u);
-  }
-
-  s.ray.o = v.p;
-  s.ray.d = SamplePhase(v.g, v.wo, PathSample2D(s));
-  s.media = media;
-  s.coneWidth += params.coneSpread * distance;
-  s.passes = 0u;
-  s.bsdfPdf = walks ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);
-  s.lastPoint = VertexAbove(v);
-  s.lastNormal = VertexFacing(v);
-  s.rays.reflected += 1u;
-  PathRoulette(s, PathSample2D(s).x);
-}
-
-// Follow the ray through the media around it. True: it gets as far as `distance`, with what is left of it. False: it
-// ends on the way, or has been scattered into another direction.
-SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float distance) {
+// Follow the ray through the media around it as far as `distance`; where it scatters before, `t` tells where, and `g` how.
+SCENE_FN uint PathFlight(INOUT(PathState) s, IN(MediumStack) media, float distance, OUT(float) t,
+                         OUT(float) g) {
   Medium medium;
   if (s.walk != None) {
     medium = WalkMedium(s);
@@ -63,19 +36,48 @@ SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float d
     medium = MediumOf(CurrentMedium(media));
   }
   float reach = Min(distance, LongestFlight);
+  t = reach;
+  g = medium.anisotropy;
   if (!IsBlack(medium.emission))
     PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach), 0u,
             PathVertices(s) - 1u);
-  if (IsBlack(medium.extinction)) return true;
+  if (IsBlack(medium.extinction)) return FLIGHT_THROUGH;
   if (IsBlack(medium.scattering)) {
     s.beta = s.beta * Exp(medium.extinction * -reach);
-    return !IsBlack(s.beta);
+    return IsBlack(s.beta) ? FLIGHT_OVER : FLIGHT_THROUGH;
   }
   FlightSample flight = SampleFlight(medium, s.beta, reach, PathSample2D(s));
   s.beta = s.beta * flight.weight;
-  if (flight.scattered == 0u) return true;
-  if (!IsBlack(s.beta)) PathScatter(s, medium, media, flight.t);
-  return false;
+  if (flight.scattered == 0u) return FLIGHT_THROUGH;
+  bool deepest = s.depth >= params.maxDepth && s.walk == None;
+  if (IsBlack(s.beta) || deepest || s.scatterings >= params.maxVolumeDepth) return FLIGHT_OVER;
+  t = flight.t;
+  return FLIGHT_SCATTERS;
+}
+
+// The vertex where the path scatters in a medium.
+SCENE_FN PathVertex MediumVertex(INOUT(PathState) s, IN(MediumStack) media, float t, float g) {
+  PathVertex v = VertexInMedium(s.ray, t, g, media);
+  s.scatterings += 1u;
+  s.coneWidth += params.coneSpread * t;
+  if (s.walk == None) {
+    AovMedium(v.p, CurrentMedium(media));
+    AovPathFeatures(s.beta * s.etaScale, Spectrum(1.0f, 1.0f, 1.0f), vec3(0.0f, 0.0f, 0.0f));
+  }
+  return v;
+}
+
+// Choose the way on from a vertex in a medium.
+SCENE_FN void PathScatter(INOUT(PathState) s, IN(PathVertex) v) {
+  s.ray.o = v.p;
+  s.ray.d = SamplePhase(v.g, v.wo, PathSample2D(s));
+  s.media = v.before;
+  s.passes = 0u;
+  s.bsdfPdf = s.walk != None ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);
+  s.lastPoint = VertexAbove(v);
+  s.lastNormal = VertexFacing(v);
+  s.rays.reflected += 1u;
+  PathRoulette(s, PathSample2D(s).x);
 }
 
 #endif

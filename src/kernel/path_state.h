@@ -13,6 +13,11 @@ CONST uint RouletteDepth = 4u;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
 
+// What becomes of a path on its way through media.
+CONST uint FLIGHT_THROUGH = 0u;   // it gets to the end, with what is left of it
+CONST uint FLIGHT_SCATTERS = 1u;  // it meets something on the way
+CONST uint FLIGHT_OVER = 2u;
+
 struct PathState {
   Ray ray;           // to the next vertex
   uint alive;        // 1: it is to be traced

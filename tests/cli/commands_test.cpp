@@ -101,7 +101,7 @@ TEST_F(Commands, CompareJudgesByTheMetric) {
   const auto status = [&](const char* metric, const char* tolerance) {
     return Run({"compare", "a.exr", "b.exr", "--metric", metric, "--tolerance", tolerance}).status;
   };
-  ExpectHas(Run({"compare", "a.exr", "b.exr"}).out, "mean    0.600");
+  ExpectHas(Run({"compare", "a.exr", "b.exr"}).out, "mean    0.6 ");
   EXPECT_EQ(Run({"compare", "a.exr", "b.exr", "--crop", "0,0,1,1"}).status, 0);
   ExpectHas(Run({"compare", "a.exr", "b.exr", "--crop", "0,0,9999,1"}).err, "outside the picture");
   EXPECT_EQ(status("rmse", "0.09"), 1);

@@ -27,7 +27,8 @@ TEST_F(SceneFiles, FoldersAndPipesAreNone) {
   std::filesystem::create_directory(folder_ / "folder");
   std::filesystem::create_directory(folder_ / "folder.toml");
   for (const std::string name : {"folder", "folder.toml"})
-    EXPECT_EQ(Complaint(name), "snell: error: " + name + ": this is a folder, not a file\n");
+    EXPECT_EQ(Run({"render", name}).err,
+              "snell: error: " + name + ": this is a folder, not a file\n");
 
   // Nobody will ever write to this one
   ASSERT_EQ(::mkfifo(Path("pipe.toml").c_str(), 0600), 0);
