@@ -6,6 +6,8 @@
 // scattering compensation for microfacet models"), and what lies below a layer gets what the layer lets through on
 // average; both come from tables (scene_bsdf.h fills the record). Directions are in the surface's frame, z along
 // the shading normal on wo's side; Eval, Sample and Pdf agree, and each is a sum over the lobes.
+//
+// Longer than 400 lines because Eval and Sample of a lobe must be read side by side.
 #ifndef SNELL_KERNEL_BSDF_H
 #define SNELL_KERNEL_BSDF_H
 

@@ -3,6 +3,8 @@
 // Every record that crosses from the host to a device, and the records that the kernel passes about. All
 // fields are 32 bits wide or vectors of such, so that C++'s layout and Vulkan's scalar block layout agree
 // (tests/agree reads the layout back from the SPIR-V). Units: docs/conventions.md.
+//
+// Longer than 400 lines because a reader of buffers wants all records in one place.
 #ifndef SNELL_KERNEL_TYPES_H
 #define SNELL_KERNEL_TYPES_H
 

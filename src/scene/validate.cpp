@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// Longer than 400 lines because each record has its rules, and all are checked here.
 #include "scene/validate.h"
 
 #include <fmt/format.h>

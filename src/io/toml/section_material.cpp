@@ -110,7 +110,7 @@ static MaterialKeys CommonKeys() {
             "The radiance with which the surface glows, W/(sr·m²); with `integrator = \"whitted\"` "
             "it "
             "lights nothing else.")
-          .Not({"emissive", "glow", "radiance"});
+          .Not({"emissive", "radiance"});
   const auto group = Field("light_group", &Material::lightGroup, LightGroupName(),
                            "Of what the surface emits, as a light's.")
                          .Standard("none")
