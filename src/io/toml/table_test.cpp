@@ -166,6 +166,9 @@ TEST(TomlTable, ShowsADefaultForEveryKeyThatMayBeLeftOut) {
 TEST(TomlTable, LeadsFromEveryUsualMistakeToAKey) {
   for (const Case& one : AllCases()) {
     for (const std::string& mistake : one.key->mistakes) {
+      // What one kind of material lacks another may have
+      const auto isIt = [&](const Key& key) { return key.name == mistake; };
+      if (one.variant && std::ranges::any_of(one.variant->keys, isIt)) continue;
       const std::string text = FileWith(one, mistake, "1");
       const std::vector<std::string> errors = ErrorsOf(text);
       ASSERT_FALSE(errors.empty()) << one.Name() << ": '" << mistake << "' is a key";
