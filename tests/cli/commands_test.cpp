@@ -77,7 +77,8 @@ TEST_F(Commands, CheckOfAFolderIsATable) {
   const Result result = Run({"check", "all"});
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.out,
-            "all/b.toml: ok, with 1 warning\nall/more/a.nff: 1 error\n2 files read: 1 ok, 1 with errors\n");
+            "all/b.toml: ok, with 1 warning\nall/more/a.nff: 1 error\n2 files read: 1 ok, 1 with "
+            "errors\n");
   ExpectHas(result.err, "snell: error: all/more/a.nff:3:1: ");
   std::filesystem::create_directories(Path("none"));
   ExpectHas(Run({"check", "none"}).err, "none: the folder holds no scene");

@@ -17,7 +17,8 @@ const Mistake Mistakes[] = {
     // Words that nobody knows
     {{"rendr", "a.nff"}, "unknown command 'rendr'; did you mean 'render'?"},
     {{"frobnicate"},
-     "unknown command 'frobnicate'; the commands are: render, merge, compare, info, check, reference, "
+     "unknown command 'frobnicate'; the commands are: render, merge, compare, info, check, "
+     "reference, "
      "help, "
      "manual, completion"},
     {{"scene.toml"}, "'scene.toml' is not a command; to render it: snell render scene.toml"},
