@@ -3,16 +3,19 @@
 
 namespace snell {
 
-Picture PictureOf(const render::Film& film) {
-  const image::Image image = film.ToImage();
+Picture ToPicture(const image::Image& image) {
   Picture picture;
   picture.width = image.width;
   picture.height = image.height;
   picture.rgb.reserve(image.pixels.size() * 3);
-  for (const kernel::vec3& pixel : image.pixels)
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const image::vec3 pixel = image.Premultiplied(i);
     picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  }
   return picture;
 }
+
+Picture PictureOf(const render::Film& film) { return ToPicture(film.ToImage()); }
 
 double SamplesPerPixel(const render::Film& film) {
   std::uint64_t samples = 0;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Films as the public interface hands them out.
+// Pictures and films as the public interface hands them out.
 #pragma once
 
 #include <string>
 
 #include "api/picture.h"
+#include "image/image.h"
 #include "render/film.h"
 
 namespace snell {
 
-// The picture as plain floats.
+// As plain floats, before black where the picture is open.
+Picture ToPicture(const image::Image& image);
 Picture PictureOf(const render::Film& film);
 
 // Samples per pixel, the mean over all pixels.

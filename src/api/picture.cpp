@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/film_picture.h"
 #include "image/compare.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -17,18 +18,6 @@ static image::Image ToImage(const Picture& picture) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = {picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2]};
   return image;
-}
-
-static Picture ToPicture(const image::Image& image) {
-  Picture picture;
-  picture.width = image.width;
-  picture.height = image.height;
-  picture.rgb.reserve(image.pixels.size() * 3);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const image::vec3 pixel = image.Premultiplied(i);
-    picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
-  }
-  return picture;
 }
 
 static image::View ViewNamed(const std::string& name) {

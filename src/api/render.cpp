@@ -118,16 +118,6 @@ void CheckMemory(const render::PixelRect& rect, std::uint64_t aovBytes) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
-Picture ToPicture(const image::Image& image) {
-  Picture picture;
-  picture.width = image.width;
-  picture.height = image.height;
-  picture.rgb.reserve(image.pixels.size() * 3);
-  for (const kernel::vec3& pixel : image.pixels)
-    picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
-  return picture;
-}
-
 void AddLayers(const render::AovFilm& aovs, Picture& picture) {
   image::Layers layers = aovs.ToLayers();
   for (image::Layer& layer : layers.layers)
