@@ -307,6 +307,11 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
     return f;
   }
 
+  if (b.pickDiffuse > 0.0f) {
+    f += through * EvalEon(b.diffuse, b.diffuseRoughness, wo, wi) * wi.z;
+    pdf += b.pickDiffuse * wi.z * InvPi;
+    if (b.pickDiffuse == 1.0f) return f;
+  }
   vec3 m = Normalize(wo + wi);
   float cosine = Max(Dot(wo, m), 1e-7f);
   if (b.pickBase > 0.0f && !IsSmoothBase(b)) {
@@ -314,10 +319,6 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
     f += through * split.reflectance *
          (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, wi) / (4.0f * wo.z));
     pdf += b.pickBase * split.share * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
-  }
-  if (b.pickDiffuse > 0.0f) {
-    f += through * EvalEon(b.diffuse, b.diffuseRoughness, wo, wi) * wi.z;
-    pdf += b.pickDiffuse * wi.z * InvPi;
   }
   if (b.pickCoat > 0.0f && !IsSmoothCoat(b)) {
     vec3 coatWo = ToCoat(b, wo);

@@ -52,6 +52,12 @@ using Spectrum = vec3;
 
 FN uint floatBitsToUint(float f) { return std::bit_cast<uint>(f); }
 FN float uintBitsToFloat(uint u) { return std::bit_cast<float>(u); }
+FN uint bitfieldReverse(uint x) {
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  return __builtin_bswap32(x);
+}
 FN float floor(float x) { return std::floor(x); }
 FN float abs(float x) { return std::fabs(x); }
 FN float sqrt(float x) { return std::sqrt(x); }

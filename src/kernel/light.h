@@ -17,6 +17,7 @@ struct LightLiSample {
   vec3 wi;              // unit direction to the light
   float distance;       // that the shadow ray may go, metres
   Spectrum irradiance;  // on a surface that faces the light, of this sample alone; black: no light
+  float pdf;            // of wi, per solid angle, as PdfLi; 0 of what rays cannot meet by chance
 };
 
 // A point on a light's surface as seen from p: how far a shadow ray goes so that it ends just before it,
@@ -36,8 +37,10 @@ FN LightLiSample SampleFlatLight(IN(Light) light, vec3 p, vec3 onLight) {
   float cosLight = -Dot(light.direction, s.wi);
   s.distance = DistanceToLight(p, onLight, light.direction, s.wi, distance);
   float geometry = 0.0f;
+  s.pdf = 0.0f;
   if (cosLight > 0.0f && distance > 0.0f) {
     geometry = cosLight * light.area * DistanceFalloff(light.falloff, distance, light.factor);
+    s.pdf = Sqr(distance) / (cosLight * light.area);
   }
   s.irradiance = light.emission * (geometry * RangeWindow(distance, light.range));
   return s;
@@ -60,6 +63,7 @@ FN LightLiSample SampleRectangleLight(IN(Light) light, vec3 p, vec2 u) {
   bool isLit = Dot(light.direction, s.wi) < 0.0f;
   s.irradiance =
       light.emission * (isLit ? seen.solidAngle * RangeWindow(distance, light.range) : 0.0f);
+  s.pdf = 1.0f / seen.solidAngle;
   return s;
 }
 
@@ -78,6 +82,7 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
     SinCos(2.0f * Pi * u.y, sine, cosine);
     s.wi = vec3(r * cosine, r * sine, z);
     solidAngle = 4.0f * Pi;
+    s.pdf = 0.0f;  // rays that start inside do not meet it
     float along = Dot(toCenter, s.wi);
     s.distance = along + SafeSqrt(along * along + (radius * radius - distance * distance));
   } else {
@@ -90,6 +95,7 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
     CoordinateSystem(axis, tangent, bitangent);
     s.wi = Normalize(tangent * local.x + bitangent * local.y + axis * local.z);
     solidAngle = 2.0f * Pi * oneMinusCos;
+    s.pdf = 1.0f / solidAngle;
     // The sample's own sine keeps the digits of half the chord for far, small spheres
     float sample2 = local.x * local.x + local.y * local.y;
     s.distance = distance * local.z - SafeSqrt(radius * radius - distance * distance * sample2);
@@ -127,6 +133,7 @@ FN LightLiSample SamplePointLight(IN(Light) light, vec3 p, vec2 u) {
   } else {
     s.wi = toLight / distance;
     s.distance = distance;
+    s.pdf = 0.0f;
   }
   if (light.kind == LIGHT_SPOT) {
     strength *=
@@ -141,7 +148,9 @@ FN LightLiSample SampleDirectionalLight(IN(Light) light, vec2 u) {
   LightLiSample s;
   vec3 axis = -light.direction;
   s.wi = axis;
+  s.pdf = 0.0f;
   if (light.oneMinusCos > 0.0f) {
+    s.pdf = Inv2Pi / light.oneMinusCos;
     vec3 local = SampleUniformCone(u, light.oneMinusCos);
     vec3 tangent;
     vec3 bitangent;

@@ -89,6 +89,16 @@ FN float NextFloatUp(float x) {
   return uintBitsToFloat(x > 0.0f ? bits + 1u : bits - 1u);
 }
 FN float NextFloatDown(float x) { return -NextFloatUp(-x); }
+// One of them by the sign of `towards`, or x itself where that is 0.
+FN float NextFloatTowards(float x, float towards) {
+  uint bits = floatBitsToUint(x);
+  if ((bits & 0x7fffffffu) <= 0x00800000u) {
+    if (towards > 0.0f) return NextFloatUp(x);
+    return towards < 0.0f ? NextFloatDown(x) : x;
+  }
+  uint step = 1u - 2u * ((bits ^ floatBitsToUint(towards)) >> 31);
+  return uintBitsToFloat(bits + (towards != 0.0f ? step : 0u));
+}
 
 // Sign of a·b − c·d, exact but for underflow: 1, 0 or −1. Dekker 1971: the rounding error of a product by
 // splitting the factors into halves.
@@ -112,22 +122,27 @@ FN float DifferenceOfProductsSign(float a, float b, float c, float d) {
 
 // Transcendental functions, within 3 units in the last place of their result unless said otherwise
 
+// Sine and cosine of x radians, |x| ≤ π/4 and a little more.
+FN void SinCosSmall(float x, OUT(float) sine, OUT(float) cosine) {
+  float z = x * x;
+  sine = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * x + x;
+  cosine =
+      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
+      0.5f * z + 1.0f;
+}
 // Sine and cosine of x radians, |x| < 8000; off by less than 8e-8, which beyond |x| = π can be more than
 // three units near their zeros.
 FN void SinCos(float x, OUT(float) sine, OUT(float) cosine) {
   // Subtract the nearest multiple of π/2 in three parts (Cody and Waite 1980)
   float k = floor(x * 0.63661977236758134308f + 0.5f);
   float r = ((x - k * 1.5703125f) - k * 4.837512969970703125e-4f) - k * 7.54978995489188216e-8f;
-  float z = r * r;
-  float s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;
-  float c =
-      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
-      0.5f * z + 1.0f;
+  float s;
+  float c;
+  SinCosSmall(r, s, c);
   uint quadrant = uint(int(k)) & 3u;
-  float first = (quadrant & 1u) == 0u ? s : c;
-  float second = (quadrant & 1u) == 0u ? c : s;
-  sine = quadrant >= 2u ? -first : first;
-  cosine = quadrant == 1u || quadrant == 2u ? -second : second;
+  bool even = (quadrant & 1u) == 0u;
+  sine = uintBitsToFloat(floatBitsToUint(even ? s : c) ^ ((quadrant & 2u) << 30));
+  cosine = uintBitsToFloat(floatBitsToUint(even ? c : s) ^ (((quadrant + 1u) & 2u) << 30));
 }
 FN float Sin(float x) {
   float s;
@@ -201,9 +216,12 @@ FN float AsinPolynomial(float x) {
 // Arc cosine in radians; the argument is clamped to [−1, 1].
 FN float Acos(float x) {
   float c = Clamp(x, -1.0f, 1.0f);
-  if (c > 0.5f) return 2.0f * AsinPolynomial(sqrt(0.5f * (1.0f - c)));
-  if (c < -0.5f) return Pi - 2.0f * AsinPolynomial(sqrt(0.5f * (1.0f + c)));
-  return PiOver2 - AsinPolynomial(c);
+  float a = abs(c);
+  bool isLarge = a > 0.5f;
+  float asine = AsinPolynomial(isLarge ? sqrt(0.5f * (1.0f - a)) : a);
+  float twice = 2.0f * asine;
+  if (isLarge) return c < 0.0f ? Pi - twice : twice;
+  return PiOver2 - CopySign(asine, c);
 }
 // Arc sine, likewise.
 FN float Asin(float x) {

@@ -73,8 +73,13 @@ SCENE_FN void PathAddUnbounded(INOUT(PathState) s, vec3 d, bool fromCamera) {
 // Choose the way on from a vertex on a surface.
 SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
   bool walks = s.walk != None;
-  vec2 lobe = PathSample2D(s);
-  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
+  float lobe = 0.0f;
+  if (v.bsdf.pickDiffuse < 1.0f) {
+    lobe = PathSample2D(s).x;
+  } else {
+    PathSkip2D(s);
+  }
+  BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe, PathSample2D(s));
   if (next.pdf <= 0.0f) return;
   bool through = next.transmitted == 1u;
   vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
@@ -102,7 +107,7 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
   bool straight = through && next.isSpecular == 1u && v.bsdf.thin == 1u;
   if (!straight) {
     s.bsdfPdf = next.isSpecular == 1u || walks ? 0.0f : next.pdf;
-    s.lastPoint = VertexAbove(v);
+    s.lastPoint = v.above;
     s.lastNormal = VertexFacing(v);
   }
   if (through) {
@@ -110,7 +115,7 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
   } else {
     s.rays.reflected += 1u;
   }
-  PathRoulette(s, lobe.y);
+  PathRoulette(s);
 }
 
 // The vertex where the path gets out of the body below whose surface it has wandered, evenly to all sides.
@@ -118,13 +123,13 @@ SCENE_FN PathVertex EmergingVertex(INOUT(PathState) s, IN(SurfaceInteraction) it
                                    IN(Material) material) {
   RoleTexels shown = TexelsAt(material, it);
   PathVertex v;
-  v.p = it.p;
-  v.pError = it.pError;
   v.before = s.media;
   v.behind = s.media;
   v.inMedium = 0u;
   v.g = 0.0f;
   v.n = FaceForward(it.n, s.ray.d);
+  v.above = OffsetRayOrigin(it.p, it.pError, v.n, v.n);
+  v.below = OffsetRayOrigin(it.p, it.pError, v.n, -v.n);
   v.z = NormalSeenFrom(FaceForward(MappedNormal(material, it, shown), v.n), v.n);
   CoordinateSystem(v.z, v.x, v.y);
   v.wo = v.z;
@@ -219,10 +224,12 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
   if (material.closure == None || (deepest && params.aovs == 0u)) return false;
 
   // Set up the surface's scattering in the frame of its shading normal
-  vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
+  vec3 coatNormal = n;
+  bool hasCoat = physicals[material.closure].coatWeight.value > 0.0f;
+  if (hasCoat) coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
-  v.p = it.p;
-  v.pError = it.pError;
+  v.above = OffsetRayOrigin(it.p, it.pError, n, n);
+  v.below = OffsetRayOrigin(it.p, it.pError, n, -n);
   v.wo = wo;
   v.before = media;
   v.behind = mediaBehind;
@@ -234,11 +241,13 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
   v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
   BsdfView view;
   view.wo = v.woLocal;
-  view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
+  view.coatNormal = vec3(0.0f, 0.0f, 1.0f);
+  if (hasCoat)
+    view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
   view.eta = eta;
   view.nearIor = nearIor;
   view.outside = hasInside && Dot(s.ray.d, it.n) > 0.0f ? 0u : 1u;
-  v.bsdf = BsdfAt(material, shown, it.color, view);
+  BsdfAt(material, shown, it.color, view, v.bsdf);
   // Nothing wanders below a surface within a body that does, or seen from below
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
     v.bsdf = WithoutSubsurface(v.bsdf);

@@ -7,12 +7,16 @@
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
+// The next two sample dimensions.
 SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
   uint seed = HashCombine(s.seed, s.dimension);
   s.dimension += 1u;
   if (params.independentSamples == 1u) return IndependentSample2D(s.sampleIndex, seed);
   return Sobol2D(s.sampleIndex, seed);
 }
+
+// Leave out the next two, so that those after them mean the same in all paths.
+SCENE_FN void PathSkip2D(INOUT(PathState) s) { s.dimension += 1u; }
 
 // The number of the next vertex; 1 is what the camera sees.
 SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
@@ -118,11 +122,11 @@ SCENE_FN float FoundWeight(IN(PathState) s, uint index, vec3 wi, float distance)
   return s.bsdfPdf / (s.bsdfPdf + pick * PdfLi(light, s.lastPoint, wi, distance));
 }
 
-// Light from a point of something that glows, as of a light; `pdf` is the point's density per solid angle.
-SCENE_FN LightLiSample SampleEmitterLi(IN(Emitter) emitter, vec3 from, vec2 u, OUT(float) pdf) {
+// Light from a point of something that glows, as of a light.
+SCENE_FN LightLiSample SampleEmitterLi(IN(Emitter) emitter, vec3 from, vec2 u) {
   LightLiSample li;
   li.irradiance = Spectrum(0.0f, 0.0f, 0.0f);
-  pdf = 0.0f;
+  li.pdf = 0.0f;
   Ray ray;
   SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, li.distance);
   li.wi = ray.d;
@@ -132,40 +136,42 @@ SCENE_FN LightLiSample SampleEmitterLi(IN(Emitter) emitter, vec3 from, vec2 u, O
   aovs[0].group = material.lightGroup;
   source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
-  pdf = PdfEmitter(emitter, source, from, ray.d, source.t);
-  if (pdf <= 0.0f) return li;
+  li.pdf = PdfEmitter(emitter, source, from, ray.d, source.t);
+  if (li.pdf <= 0.0f) return li;
   li.irradiance = EmissionAt(material, shown, Dot(source.ns, ray.d)) *
-                  (OpacityOf(material, shown, source.alpha) / pdf);
+                  (OpacityOf(material, shown, source.alpha) / li.pdf);
   return li;
 }
 
 // Light from one source, chosen and sampled at a vertex, towards where the path comes from.
 SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
-  vec2 choice = PathSample2D(s);
-  vec2 u = PathSample2D(s);
-  vec3 from = VertexAbove(v);
   float environment = EnvironmentShare();
+  // Choose, if there is more than one
+  vec2 choice = vec2(0.0f, 0.0f);
+  if (environment > 0.0f || params.lightNodeCount > 1u || params.firstDirectional != None) {
+    choice = PathSample2D(s);
+  } else {
+    PathSkip2D(s);
+  }
+  vec2 u = PathSample2D(s);
   LightLiSample li;
   float pick;
-  float lightPdf = 0.0f;  // 0: the path's own way cannot find the light
   if (choice.x < environment) {
-    li = SampleEnvironmentLi(u, lightPdf);
+    li = SampleEnvironmentLi(u);
     pick = environment;
     aovs[0].group = params.environment.group;
   } else {
     choice.x = Min((choice.x - environment) / (1.0f - environment), 0.99999994f);
-    uint source = ChooseSource(from, VertexFacing(v), choice, pick);
+    uint source = ChooseSource(v.above, VertexFacing(v), choice, pick);
     if (source == None || pick <= 0.0f) return none;
     if (source >= params.lightCount) {
-      li = SampleEmitterLi(emitters[source - params.lightCount], from, u, lightPdf);
+      li = SampleEmitterLi(emitters[source - params.lightCount], v.above, u);
     } else {
       LET(Light) light = lights[source];
       aovs[0].group = light.group;
-      li = SampleLi(light, from, u);
-      // Rays that start inside a light's sphere do not meet it
-      bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
-      if (light.found == 1u && !isInside) lightPdf = PdfLi(light, from, li.wi, li.distance);
+      li = SampleLi(light, v.above, u);
+      if (light.found == 0u) li.pdf = 0.0f;
     }
   }
   if (IsBlack(li.irradiance)) return none;
@@ -176,7 +182,8 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum arriving = f * li.irradiance *
                       PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance,
                                         VertexMedia(v, li.wi), s.ray.time);
-  float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
+  // The path's own way finds it, too, unless its density is 0
+  float weight = li.pdf > 0.0f ? pick * li.pdf / (pick * li.pdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }
 

@@ -5,13 +5,17 @@
 #ifndef SNELL_KERNEL_PATH_MEDIUM_H
 #define SNELL_KERNEL_PATH_MEDIUM_H
 
-// End the path by chance, decided by u, if it can add little.
-SCENE_FN void PathRoulette(INOUT(PathState) s, float u) {
-  float least = MaxChannel(s.beta) * s.etaScale;
-  s.alive = least > 0.0f ? 1u : 0u;
-  if (s.depth + s.scatterings <= RouletteDepth || least >= 0.95f) return;
-  float survival = Max(least, 0.05f);
-  if (u >= survival) s.alive = 0u;
+// End the path by chance if it can add little. Going by the root of what it can add costs more rays and less noise than
+// going by itself.
+SCENE_FN void PathRoulette(INOUT(PathState) s) {
+  float most = MaxChannel(s.beta) * s.etaScale;
+  s.alive = most > 0.0f ? 1u : 0u;
+  if (s.depth + s.scatterings <= RouletteDepth || most >= 0.95f) {
+    PathSkip2D(s);
+    return;
+  }
+  float survival = Max(sqrt(most), 0.05f);
+  if (PathSample2D(s).x >= survival) s.alive = 0u;
   s.beta = s.beta * (1.0f / survival);
 }
 
@@ -61,7 +65,7 @@ SCENE_FN PathVertex MediumVertex(INOUT(PathState) s, IN(MediumStack) media, floa
   s.scatterings += 1u;
   s.coneWidth += params.coneSpread * t;
   if (s.walk == None) {
-    AovMedium(v.p, CurrentMedium(media));
+    AovMedium(v.above, CurrentMedium(media));
     AovPathFeatures(s.beta * s.etaScale, Spectrum(1.0f, 1.0f, 1.0f), vec3(0.0f, 0.0f, 0.0f));
   }
   return v;
@@ -69,15 +73,15 @@ SCENE_FN PathVertex MediumVertex(INOUT(PathState) s, IN(MediumStack) media, floa
 
 // Choose the way on from a vertex in a medium.
 SCENE_FN void PathScatter(INOUT(PathState) s, IN(PathVertex) v) {
-  s.ray.o = v.p;
+  s.ray.o = v.above;
   s.ray.d = SamplePhase(v.g, v.wo, PathSample2D(s));
   s.media = v.before;
   s.passes = 0u;
   s.bsdfPdf = s.walk != None ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);
-  s.lastPoint = VertexAbove(v);
+  s.lastPoint = v.above;
   s.lastNormal = VertexFacing(v);
   s.rays.reflected += 1u;
-  PathRoulette(s, PathSample2D(s).x);
+  PathRoulette(s);
 }
 
 #endif

@@ -12,8 +12,8 @@
 KERNEL_BEGIN
 
 struct PathVertex {
-  vec3 p;
-  vec3 pError;         // as of a SurfaceInteraction; 0 in a medium
+  vec3 above;          // a start for rays on wo's side; the point itself in a medium
+  vec3 below;          // and on the other
   vec3 wo;             // to where the path comes from
   MediumStack before;  // on wo's side of a surface, or around the point
   uint inMedium;       // 1: the phase function scatters, and what follows is not set but for n
@@ -31,8 +31,8 @@ struct PathVertex {
 // The vertex at a distance along the ray.
 FN PathVertex VertexInMedium(IN(Ray) ray, float distance, float g, IN(MediumStack) media) {
   PathVertex v;
-  v.p = ray.o + ray.d * distance;
-  v.pError = vec3(0.0f, 0.0f, 0.0f);
+  v.above = ray.o + ray.d * distance;
+  v.below = v.above;
   v.wo = -ray.d;
   v.before = media;
   v.inMedium = 1u;
@@ -55,15 +55,13 @@ FN Spectrum EvalVertex(IN(PathVertex) v, vec3 wi, OUT(float) pdf) {
 }
 
 // A start for rays that leave the vertex, and the media that they start in.
-FN vec3 VertexStart(IN(PathVertex) v, vec3 wi) { return OffsetRayOrigin(v.p, v.pError, v.n, wi); }
+FN vec3 VertexStart(IN(PathVertex) v, vec3 wi) { return Dot(wi, v.n) < 0.0f ? v.below : v.above; }
 FN MediumStack VertexMedia(IN(PathVertex) v, vec3 wi) {
   if (v.inMedium == 1u || Dot(wi, v.z) > 0.0f) return v.before;
   return v.behind;
 }
 
-// As what the choice of a source of light sees the vertex (light_tree.h): a point just above the surface, and the
-// normal, which is 0 where light counts from all sides.
-FN vec3 VertexAbove(IN(PathVertex) v) { return OffsetRayOrigin(v.p, v.pError, v.n, v.n); }
+// The normal as the choice of a source of light sees it (light_tree.h): 0 where light counts from all sides.
 FN vec3 VertexFacing(IN(PathVertex) v) {
   if (v.inMedium == 1u || Transmits(v.bsdf)) return vec3(0.0f, 0.0f, 0.0f);
   return v.z;

@@ -51,6 +51,7 @@ FN Spectrum ShownColor(IN(RoleTexels) shown, uint role) {
 }
 
 FN float ShownScalar(IN(ScalarSource) source, IN(RoleTexels) shown, uint role) {
+  if (source.value == 0.0f) return 0.0f;
   vec4 texel = shown.at[role];
   float channel = source.channel == 0u   ? texel.x
                   : source.channel == 1u ? texel.y

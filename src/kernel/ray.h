@@ -36,13 +36,8 @@ FN vec3 OffsetRayOrigin(vec3 p, vec3 pError, vec3 n, vec3 w) {
   float distance = Dot(Abs(n), pError);
   vec3 offset = Dot(w, n) < 0.0f ? -distance * n : distance * n;
   vec3 o = p + offset;
-  if (offset.x > 0.0f) o.x = NextFloatUp(o.x);
-  if (offset.x < 0.0f) o.x = NextFloatDown(o.x);
-  if (offset.y > 0.0f) o.y = NextFloatUp(o.y);
-  if (offset.y < 0.0f) o.y = NextFloatDown(o.y);
-  if (offset.z > 0.0f) o.z = NextFloatUp(o.z);
-  if (offset.z < 0.0f) o.z = NextFloatDown(o.z);
-  return o;
+  return vec3(NextFloatTowards(o.x, offset.x), NextFloatTowards(o.y, offset.y),
+              NextFloatTowards(o.z, offset.z));
 }
 
 KERNEL_END

@@ -14,19 +14,13 @@ FN vec2 SampleUniformDisk(vec2 u) {
   float x = 2.0f * u.x - 1.0f;
   float y = 2.0f * u.y - 1.0f;
   if (x == 0.0f && y == 0.0f) return vec2(0.0f, 0.0f);
-  float r;
-  float angle;
-  if (abs(x) > abs(y)) {
-    r = x;
-    angle = PiOver4 * (y / x);
-  } else {
-    r = y;
-    angle = PiOver2 - PiOver4 * (x / y);
-  }
+  // The angle to the nearer axis
+  bool alongX = abs(x) > abs(y);
+  float r = alongX ? x : y;
   float s;
   float c;
-  SinCos(angle, s, c);
-  return vec2(r * c, r * s);
+  SinCosSmall(PiOver4 * ((alongX ? y : x) / r), s, c);
+  return vec2(r * (alongX ? c : s), r * (alongX ? s : c));
 }
 
 // Barycentric coordinates of v1 and v2, uniform on a triangle. Heitz 2019, "A low-distortion map between

@@ -78,8 +78,16 @@ SCENE_FN void SetFilm(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) shown
 // Set the coat, but for what it leaves to the base. Returns its roughness.
 SCENE_FN float SetCoat(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) shown,
                        IN(BsdfView) view) {
-  b.coat = Clamp(ShownScalar(physical.coatWeight, shown, ROLE_COAT_WEIGHT), 0.0f, 1.0f);
-  if (view.outside == 0u) b.coat = 0.0f;
+  b.coat = 0.0f;
+  if (view.outside == 1u)
+    b.coat = Clamp(ShownScalar(physical.coatWeight, shown, ROLE_COAT_WEIGHT), 0.0f, 1.0f);
+  if (b.coat == 0.0f) {
+    b.coatAlpha = vec2(0.0f, 0.0f);
+    b.coatEta = 1.0f;
+    b.coatTint = Spectrum(1.0f, 1.0f, 1.0f);
+    b.coatTilted = 0u;
+    return 0.0f;
+  }
   float roughness =
       Clamp(ShownScalar(physical.coatRoughness, shown, ROLE_COAT_ROUGHNESS), 0.0f, 1.0f);
   b.coatEta = physical.coatIor;
@@ -117,9 +125,9 @@ SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmi
   float passed = MeanChannel(b.underCoat * passage * passage) * b.underFuzz;
   float dielectric = MeanChannel(reflected);
   b.pickCoat = coatReflected * b.underFuzz;
-  b.pickBase = passed * (b.metalness * MeanChannel(MetalFresnel(b, wo.z)) +
-                         (1.0f - b.metalness) *
-                             (dielectric + transmission * (1.0f - Min(dielectric, 1.0f))));
+  b.pickBase = (1.0f - b.metalness) * (dielectric + transmission * (1.0f - Min(dielectric, 1.0f)));
+  if (b.metalness > 0.0f) b.pickBase += b.metalness * MeanChannel(MetalFresnel(b, wo.z));
+  b.pickBase *= passed;
   b.pickSubsurface = passed * MaxChannel(b.subsurface * b.subsurfaceColor);
   if (b.pickCoat + MaxChannel(b.diffuse) + b.pickSubsurface <= 0.0f)
     b.pickBase = Max(b.pickBase, 1e-3f);
@@ -137,21 +145,33 @@ SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmi
   b.pickFuzz *= scale;
 }
 
+// Whether a material has nothing but its matt base, whatever its textures.
+SCENE_FN bool IsMatt(IN(Physical) physical) {
+  return physical.metalness.value + physical.specularWeight.value + physical.transmission.value +
+             physical.coatWeight.value + physical.fuzzWeight.value + physical.subsurface.value +
+             physical.diffuseTransmission.value ==
+         0.0f;
+}
+
 // The surface's scattering towards a direction.
-SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum vertexColor,
-                     IN(BsdfView) view) {
+SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum vertexColor,
+                     IN(BsdfView) view, OUT(Bsdf) b) {
   LET(Physical) physical = physicals[material.closure];
   Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
   float cosine = view.wo.z;
   float eta = view.eta;
   Spectrum base = Saturate(physical.baseColor * ShownColor(shown, ROLE_BASE_COLOR) * vertexColor);
+  if (IsMatt(physical)) {
+    b = DiffuseBsdf(base);
+    b.diffuseRoughness = physical.diffuseRoughness;
+    return;
+  }
   float metalness = Clamp(ShownScalar(physical.metalness, shown, ROLE_METALNESS), 0.0f, 1.0f);
   float specularWeight = ShownScalar(physical.specularWeight, shown, ROLE_SPECULAR_WEIGHT);
   Spectrum specularColor = physical.specularColor * ShownColor(shown, ROLE_SPECULAR_COLOR);
   float transmission =
       Clamp(ShownScalar(physical.transmission, shown, ROLE_TRANSMISSION), 0.0f, 1.0f);
 
-  Bsdf b;
   float coatRoughness = SetCoat(b, physical, shown, view);
   float roughness = SetBaseWidths(b, physical, shown, coatRoughness);
   // Where the indices agree there is no boundary that could scatter
@@ -170,7 +190,10 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.etaFresnel = ScaledEta(bordering, specularWeight);
 
   // Conductor: what single scattering loses comes back, tinted by another reflection
-  float conductor = Max(AlbedoIn(CONDUCTOR_ALBEDO, roughness, cosine), 0.05f);
+  bool hasBoundary = b.etaFresnel != 1.0f && metalness < 1.0f;
+  float conductor = 1.0f;
+  if (hasBoundary || metalness > 0.0f || transmission > 0.0f)
+    conductor = Max(AlbedoIn(CONDUCTOR_ALBEDO, roughness, cosine), 0.05f);
   Spectrum metal = physical.metalColor;
   if (physical.metalByBase == 1u) metal = metal * ShownColor(shown, ROLE_BASE_COLOR) * vertexColor;
   b.metalF0 = Saturate(metal);
@@ -183,8 +206,12 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   bool entering = b.etaFresnel >= 1.0f;
   uint reflectedTable = entering ? REFLECTED_ALBEDO : REFLECTED_INSIDE_ALBEDO;
   uint totalTable = entering ? TOTAL_ALBEDO : TOTAL_INSIDE_ALBEDO;
-  float bare = Min(DielectricAlbedoIn(reflectedTable, b.etaFresnel, roughness, cosine), 1.0f);
-  float total = Max(DielectricAlbedoIn(totalTable, b.etaFresnel, roughness, cosine), 0.05f);
+  float bare = 0.0f;
+  if (hasBoundary)
+    bare = Min(DielectricAlbedoIn(reflectedTable, b.etaFresnel, roughness, cosine), 1.0f);
+  float total = 1.0f;
+  if (transmission > 0.0f)
+    total = Max(DielectricAlbedoIn(totalTable, b.etaFresnel, roughness, cosine), 0.05f);
   Spectrum reflected = one * bare;
   Spectrum totals = one * total;
   if (b.film > 0.0f) {
@@ -246,15 +273,18 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   }
 
   // Fuzz lies above all and takes what it sends back, whatever its colour
-  float fuzzWeight = Clamp(ShownScalar(physical.fuzzWeight, shown, ROLE_FUZZ_WEIGHT), 0.0f, 1.0f);
-  if (view.outside == 0u) fuzzWeight = 0.0f;
-  b.fuzz = physical.fuzzColor * ShownColor(shown, ROLE_FUZZ_COLOR) * fuzzWeight;
-  float fuzzRoughness =
-      Clamp(ShownScalar(physical.fuzzRoughness, shown, ROLE_FUZZ_ROUGHNESS), 0.0f, 1.0f);
-  b.fuzzAlpha = Max(Sqr(fuzzRoughness), 0.01f);
+  float fuzzWeight = 0.0f;
+  if (view.outside == 1u)
+    fuzzWeight = Clamp(ShownScalar(physical.fuzzWeight, shown, ROLE_FUZZ_WEIGHT), 0.0f, 1.0f);
+  b.fuzz = Spectrum(0.0f, 0.0f, 0.0f);
+  b.fuzzAlpha = 1.0f;
   b.underFuzz = 1.0f;
   float fuzzReflected = 0.0f;
   if (fuzzWeight > 0.0f) {
+    b.fuzz = physical.fuzzColor * ShownColor(shown, ROLE_FUZZ_COLOR) * fuzzWeight;
+    float fuzzRoughness =
+        Clamp(ShownScalar(physical.fuzzRoughness, shown, ROLE_FUZZ_ROUGHNESS), 0.0f, 1.0f);
+    b.fuzzAlpha = Max(Sqr(fuzzRoughness), 0.01f);
     float albedo = AlbedoIn(FUZZ_ALBEDO, fuzzRoughness, cosine);
     b.fuzz = b.fuzz / Max(albedo, 1.0f);
     b.underFuzz = 1.0f - Min(albedo, 1.0f) * fuzzWeight;
@@ -263,7 +293,6 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.coatScale = b.coat * b.underFuzz;
   SetPicks(b, view.wo, reflected * MeanChannel(reflectedTint), transmission, coatReflected,
            fuzzReflected);
-  return b;
 }
 
 // What the surface sends out of itself at a cosine: what glows lies below coat and fuzz.

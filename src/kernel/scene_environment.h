@@ -118,13 +118,13 @@ SCENE_FN Spectrum EnvironmentLe(vec3 d, OUT(float) pdf) {
 // The share of samples of light that go to the map, the others to lights and what glows.
 SCENE_FN float EnvironmentShare() { return params.environment.share; }
 
-// A sample of the map as of a light, with its density per solid angle.
-SCENE_FN LightLiSample SampleEnvironmentLi(vec2 u, OUT(float) pdf) {
+// A sample of the map as of a light.
+SCENE_FN LightLiSample SampleEnvironmentLi(vec2 u) {
   LightLiSample s;
   s.wi = SampleMap(u);
   s.distance = Infinite;
-  s.irradiance = MapLe(s.wi, pdf);
-  s.irradiance = s.irradiance * (pdf > 0.0f ? 1.0f / pdf : 0.0f);
+  s.irradiance = MapLe(s.wi, s.pdf);
+  s.irradiance = s.irradiance * (s.pdf > 0.0f ? 1.0f / s.pdf : 0.0f);
   return s;
 }
 

@@ -28,10 +28,15 @@ SCENE_FN vec3 StretchDirection(IN(Physical) physical, IN(RoleTexels) shown,
   return LengthSquared(turned) > 0.0f ? turned : it.tangent;
 }
 
-// Axes x and y to the normal z.
+// Axes x and y to the normal z; any where the surface scatters alike in all directions.
 SCENE_FN void ScatteringFrame(IN(Material) material, IN(RoleTexels) shown,
                               IN(SurfaceInteraction) it, vec3 z, OUT(vec3) x, OUT(vec3) y) {
-  vec3 along = StretchDirection(physicals[material.closure], shown, it);
+  LET(Physical) physical = physicals[material.closure];
+  if (physical.anisotropy.value == 0.0f && physical.coatAnisotropy == 0.0f) {
+    CoordinateSystem(z, x, y);
+    return;
+  }
+  vec3 along = StretchDirection(physical, shown, it);
   x = along - z * Dot(along, z);
   if (LengthSquared(x) > 1e-12f * LengthSquared(along)) {
     x = Normalize(x);

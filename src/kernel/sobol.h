@@ -11,14 +11,6 @@
 
 KERNEL_BEGIN
 
-FN uint ReverseBits(uint x) {
-  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  return (x >> 16) | (x << 16);
-}
-
 // A bijective hash of 32 bits (Wellons 2018, "lowbias32").
 FN uint HashUint(uint x) {
   x ^= x >> 16;
@@ -59,10 +51,11 @@ FN float UnitFloat(uint x) { return float(x >> 8) * 5.9604644775390625e-8f; }
 
 // Point `index` of the pair of dimensions that `seed` names, in [0, 1)².
 FN vec2 Sobol2D(uint index, uint seed) {
-  uint shuffled = ScrambleReversed(ReverseBits(index), seed);  // bit-reversed
-  uint x = ReverseBits(ScrambleReversed(ReverseBits(shuffled), HashUint(seed ^ 0xa511e9b3u)));
-  uint y = ReverseBits(
-      ScrambleReversed(ReverseBits(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
+  uint shuffled = ScrambleReversed(bitfieldReverse(index), seed);  // bit-reversed
+  uint x =
+      bitfieldReverse(ScrambleReversed(bitfieldReverse(shuffled), HashUint(seed ^ 0xa511e9b3u)));
+  uint y = bitfieldReverse(
+      ScrambleReversed(bitfieldReverse(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
   return vec2(UnitFloat(x), UnitFloat(y));
 }
 

@@ -33,8 +33,8 @@ TEST(Sobol, EqualsItsGeneratorMatrices) {
       first ^= 0x80000000u >> k;
       second ^= direction[k];
     }
-    ASSERT_EQ(ReverseBits(index), first);
-    ASSERT_EQ(SobolSecond(ReverseBits(index)), second);
+    ASSERT_EQ(bitfieldReverse(index), first);
+    ASSERT_EQ(SobolSecond(bitfieldReverse(index)), second);
   }
 }
 

@@ -24,7 +24,7 @@ struct SphericalRectangle {
 };
 
 // Below this many steradians single precision spoils the formula, and a rectangle's area will do.
-CONST float LeastSphericalRectangle = 0.02f;
+CONST float LeastSphericalRectangle = 0.1f;
 
 FN SphericalRectangle SphericalRectangleAt(vec3 p, vec3 corner, vec3 edgeU, vec3 edgeV) {
   SphericalRectangle r;
