@@ -33,14 +33,16 @@ FN float LightNodeImportance(IN(LightNode) node, vec3 p, vec3 n) {
   // 1/d² is 6/r². Nor than a nanometre
   bool isLeaf = (node.flags & LIGHT_NODE_LEAF) != 0u;
   float closest = isLeaf ? node.radius : node.radius * 0.41f;
-  float d = Max(distance, Max(closest, 1e-9f));
-  float importance = node.power.x + node.power.y / d + node.power.z / (d * d);
+  float inverse = 1.0f / Max(distance, 1e-9f);
+  float d = Max(closest, 1e-9f);
+  float falloff = distance >= d ? inverse : 1.0f / d;
+  float importance = node.power.x + (node.power.y + node.power.z * falloff) * falloff;
   importance *= RangeWindow(nearest, node.reach);
   if (distance <= node.radius || distance <= 0.0f) return importance;
 
   // The angle by which directions to the sources differ from that to their middle
-  vec3 wi = toNode / distance;
-  float sinSpread = node.radius / distance;
+  vec3 wi = toNode * inverse;
+  float sinSpread = node.radius * inverse;
   float cosSpread = SafeSqrt(1.0f - sinSpread * sinSpread);
 
   // The least angle between p and a source's normal
@@ -49,9 +51,13 @@ FN float LightNodeImportance(IN(LightNode) node, vec3 p, vec3 n) {
   // A single flat source is dark behind its plane
   if (isLeaf && node.cosThetaO == 1.0f && cosW <= 0.0f) return 0.0f;
   float sinW = SafeSqrt(1.0f - cosW * cosW);
-  float sinO = SafeSqrt(1.0f - node.cosThetaO * node.cosThetaO);
-  float cosX = CosOfDifference(sinW, cosW, sinO, node.cosThetaO);
-  float sinX = SinOfDifference(sinW, cosW, sinO, node.cosThetaO);
+  float cosX = cosW;
+  float sinX = sinW;
+  if (node.cosThetaO < 1.0f) {
+    float sinO = SafeSqrt(1.0f - node.cosThetaO * node.cosThetaO);
+    cosX = CosOfDifference(sinW, cosW, sinO, node.cosThetaO);
+    sinX = SinOfDifference(sinW, cosW, sinO, node.cosThetaO);
+  }
   float cosLeast = CosOfDifference(sinX, cosX, sinSpread, cosSpread);
   if (cosLeast <= node.cosThetaE) return 0.0f;
   importance *= cosLeast;
