@@ -7,23 +7,23 @@
 
 // Interpolated between the nodes of [roughness][cosine] at `first`; all coordinates in [0, 1].
 SCENE_FN float AlbedoIn(uint first, float roughness, float cosine) {
-  float x = Clamp(cosine, 0.0f, 1.0f) * float(AlbedoNodes - 1u);
-  float y = Clamp(roughness, 0.0f, 1.0f) * float(AlbedoNodes - 1u);
-  uint i = uint(Min(x, float(AlbedoNodes) - 1.5f));
-  uint j = uint(Min(y, float(AlbedoNodes) - 1.5f));
+  float x = sqrt(Clamp(cosine, 0.0f, 1.0f)) * float(AlbedoCosines - 1u);
+  float y = Clamp(roughness, 0.0f, 1.0f) * float(AlbedoRoughnesses - 1u);
+  uint i = uint(Min(x, float(AlbedoCosines) - 1.5f));
+  uint j = uint(Min(y, float(AlbedoRoughnesses) - 1.5f));
   float tx = x - float(i);
   float ty = y - float(j);
-  uint at = first + j * AlbedoNodes + i;
+  uint at = first + j * AlbedoCosines + i;
   float low = Lerp(tx, albedos[at], albedos[at + 1u]);
-  float high = Lerp(tx, albedos[at + AlbedoNodes], albedos[at + AlbedoNodes + 1u]);
+  float high = Lerp(tx, albedos[at + AlbedoCosines], albedos[at + AlbedoCosines + 1u]);
   return Lerp(ty, low, high);
 }
 SCENE_FN float DielectricAlbedoIn(uint first, float eta, float roughness, float cosine) {
-  float z = AlbedoContrast(eta) * float(AlbedoNodes - 1u);
-  uint k = uint(Min(z, float(AlbedoNodes) - 1.5f));
-  uint at = first + k * AlbedoNodes * AlbedoNodes;
+  float z = AlbedoContrast(eta) * float(AlbedoContrasts - 1u);
+  uint k = uint(Min(z, float(AlbedoContrasts) - 1.5f));
+  uint at = first + k * AlbedoPlane;
   return Lerp(z - float(k), AlbedoIn(at, roughness, cosine),
-              AlbedoIn(at + AlbedoNodes * AlbedoNodes, roughness, cosine));
+              AlbedoIn(at + AlbedoPlane, roughness, cosine));
 }
 
 // Index of refraction whose reflectance at normal incidence is `weight` times that of eta.
