@@ -110,21 +110,28 @@ SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels
   return roughness;
 }
 
-// Choose lobes by what each sends back.
-SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmission,
+// Choose lobes by what each sends back. `kept` is the share of a metal's or a sheet's samples that leaves the facets: where
+// much is lost, what is left weighs so much that paths of many reflections are noisy without end, so some samples are taken
+// evenly instead.
+SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmission, float kept,
                        float coatReflected, float fuzzReflected) {
   Spectrum passage = CoatPassage(b.coat, b.coatEta, b.coatTint, wo.z);
   float passed = MeanChannel(b.underCoat * passage * passage) * b.underFuzz;
   float dielectric = MeanChannel(reflected);
   b.pickCoat = coatReflected * b.underFuzz;
-  b.pickBase = passed * (b.metalness * MeanChannel(MetalFresnel(b, wo.z)) +
-                         (1.0f - b.metalness) *
-                             (dielectric + transmission * (1.0f - Min(dielectric, 1.0f))));
+  float metal = b.metalness * MeanChannel(MetalFresnel(b, wo.z));
+  float clear = (1.0f - b.metalness) * transmission;
+  float through = clear * (1.0f - Min(dielectric, 1.0f));
+  float lost = Max(0.9f - kept, 0.0f);
+  float evenly = lost * (b.thin == 1u ? metal + clear * dielectric : metal);
+  float evenlyThrough = b.thin == 1u ? lost * through : 0.0f;
+  b.pickBase =
+      passed * (metal + (1.0f - b.metalness) * dielectric + through - evenly - evenlyThrough);
   b.pickSubsurface = passed * MaxChannel(b.subsurface * b.subsurfaceColor);
   if (b.pickCoat + MaxChannel(b.diffuse) + b.pickSubsurface <= 0.0f)
     b.pickBase = Max(b.pickBase, 1e-3f);
-  b.pickDiffuse = passed * MeanChannel(b.diffuse);
-  b.pickDiffuseTransmission = passed * MeanChannel(b.diffuseTransmission);
+  b.pickDiffuse = passed * (MeanChannel(b.diffuse) + evenly);
+  b.pickDiffuseTransmission = passed * (MeanChannel(b.diffuseTransmission) + evenlyThrough);
   b.pickFuzz = fuzzReflected;
   float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
               b.pickSubsurface + b.pickFuzz;
@@ -261,8 +268,8 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
     fuzzReflected = Min(albedo, 1.0f) * MeanChannel(b.fuzz);
   }
   b.coatScale = b.coat * b.underFuzz;
-  SetPicks(b, view.wo, reflected * MeanChannel(reflectedTint), transmission, coatReflected,
-           fuzzReflected);
+  SetPicks(b, view.wo, reflected * MeanChannel(reflectedTint), transmission, conductor,
+           coatReflected, fuzzReflected);
   return b;
 }
 
