@@ -216,6 +216,7 @@ SCENE_FN Bsdf BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.subsurfaceColor = physical.subsurfaceColor * ShownColor(shown, ROLE_SUBSURFACE_COLOR);
   below = below * (1.0f - subsurface);
   b.diffuse = base * below;
+  b.diffuseColor = base;
   b.diffuseRoughness = physical.diffuseRoughness;
   b.diffuseTransmission = base * 0.0f;
   float through = Clamp(ShownScalar(physical.diffuseTransmission, shown, ROLE_DIFFUSE_TRANSMISSION),
