@@ -95,7 +95,7 @@ SCENE_FN float SetCoat(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) show
   return roughness;
 }
 
-// The GGX widths of the base. A rough coat spreads what passes it twice (OpenPBR 1.1, section on roughening).
+// Set the GGX widths of the base. Returns the roughness of an even surface that loses about as much. A rough coat spreads what passes it twice (OpenPBR 1.1, section on roughening).
 SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) shown,
                              float coatRoughness) {
   float roughness = Clamp(ShownScalar(physical.roughness, shown, ROLE_ROUGHNESS), 0.0f, 1.0f);
@@ -107,7 +107,11 @@ SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels
   float anisotropy = Clamp(ShownScalar(source, shown, ROLE_ANISOTROPY), 0.0f, 0.99f);
   b.alpha = physical.anisotropyModel == ANISOTROPY_GLTF ? GgxWidthsOfGltf(roughness, anisotropy)
                                                         : GgxWidths(roughness, anisotropy);
-  return roughness;
+  if (anisotropy <= 0.0f) return roughness;
+  // Between the mean width and the root of the mean square, nearer to the latter
+  float mean = 0.5f * (b.alpha.x + b.alpha.y);
+  float alpha = Lerp(0.25f, sqrt(0.5f * (Sqr(b.alpha.x) + Sqr(b.alpha.y))), mean);
+  return Min(sqrt(alpha), 1.0f);
 }
 
 // Choose lobes by what each sends back. `kept` is the share of a metal's or a sheet's samples that leaves the facets: where
