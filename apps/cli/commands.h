@@ -13,6 +13,7 @@ void AddInfoCommand(Program& program);
 void AddCheckCommand(Program& program);
 void AddCompareCommand(Program& program);
 void AddReferenceCommand(Program& program);
+void AddSelftestCommand(Program& program);
 void AddCompletionCommand(Program& program);
 void AddManualCommand(Program& program);
 void AddHelpCommand(Program& program);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   AddReferenceCommand(program);  // the language that they are written in
 
   // The program itself
+  AddSelftestCommand(program);  // whether its light is right
   AddHelpCommand(program);
   AddManualCommand(program);
   AddCompletionCommand(program);

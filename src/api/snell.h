@@ -11,4 +11,5 @@
 #include "picture.h"
 #include "render.h"
 #include "scene.h"
+#include "selftest.h"
 #include "version.h"

@@ -14,31 +14,41 @@ using namespace kernel;
 
 namespace {
 
-constexpr uint Samples = 256;
+constexpr uint Samples = 1024;
 
-float Node(uint i) { return float(i) / float(AlbedoNodes - 1); }
+float Node(uint i, uint count) { return float(i) / float(count - 1); }
 
 vec3 DirectionAt(float cosine) {
   const float z = std::max(cosine, 1e-3f);
   return {std::sqrt(1 - z * z), 0, z};
 }
 
-// The mean of `weight`, a function of a visible microfacet's normal, over such normals.
-template <class Weight>
-float MeanOverFacets(vec2 alpha, vec3 wo, const Weight& weight) {
-  float sum = 0;
-  for (uint i = 0; i < Samples; ++i)
-    sum += weight(SampleGgxVisible(alpha, wo, Sobol2D(i, 0x5a17u)));
-  return sum / float(Samples);
-}
-
-// How much of what is reflected at a facet leaves the surface.
+// How much of what a facet sends to wi leaves the surface.
 float Unshadowed(vec2 alpha, vec3 wo, vec3 wi) {
-  return wi.z > 0 ? GgxMasking(alpha, wo, wi) / GgxMasking(alpha, wo) : 0;
+  return GgxMasking(alpha, wo, wi) / GgxMasking(alpha, wo);
 }
 
-float ConductorAlbedo(vec2 alpha, vec3 wo) {
-  return MeanOverFacets(alpha, wo, [&](vec3 m) { return Unshadowed(alpha, wo, -Reflect(wo, m)); });
+// A microfacet that is seen, and how much of what it reflects leaves the surface.
+struct Facet {
+  vec3 m;
+  float cosine;
+  float unshadowed;
+};
+
+std::vector<Facet> VisibleFacets(vec2 alpha, vec3 wo) {
+  std::vector<Facet> facets(Samples);
+  for (uint i = 0; i < Samples; ++i) {
+    const vec3 m = SampleGgxVisible(alpha, wo, Sobol2D(i, 0x5a17u));
+    const vec3 wi = -Reflect(wo, m);
+    facets[i] = {m, Dot(wo, m), wi.z > 0 ? Unshadowed(alpha, wo, wi) : 0};
+  }
+  return facets;
+}
+
+float ConductorAlbedo(const std::vector<Facet>& facets) {
+  double sum = 0;
+  for (const Facet& facet : facets) sum += double(facet.unshadowed);
+  return float(sum / Samples);
 }
 
 struct DielectricAlbedo {
@@ -46,21 +56,17 @@ struct DielectricAlbedo {
   float total;
 };
 
-DielectricAlbedo AlbedoOf(vec2 alpha, float eta, vec3 wo) {
-  const float reflected = MeanOverFacets(alpha, wo, [&](vec3 m) {
-    const float cosine = Dot(wo, m);
-    return FrOfEta(cosine, eta) * Unshadowed(alpha, wo, -Reflect(wo, m));
-  });
-  const float refracted = MeanOverFacets(alpha, wo, [&](vec3 m) {
-    const float cosine = Dot(wo, m);
-    const float inside = RefractedCosine(cosine, eta);
-    if (inside < 0) return 0.0f;
-    const vec3 wi = Refract(-wo, m, cosine, inside, eta);
-    return wi.z < 0 ? (1 - FrDielectric(cosine, inside, eta)) * GgxMasking(alpha, wo, wi) /
-                          GgxMasking(alpha, wo)
-                    : 0.0f;
-  });
-  return {reflected, reflected + refracted};
+DielectricAlbedo AlbedoOf(const std::vector<Facet>& facets, vec2 alpha, float eta, vec3 wo) {
+  double reflected = 0, refracted = 0;
+  for (const Facet& facet : facets) {
+    const float inside = RefractedCosine(facet.cosine, eta);
+    const float fresnel = FrDielectric(facet.cosine, inside, eta);
+    reflected += double(fresnel * facet.unshadowed);
+    if (inside < 0) continue;
+    const vec3 wi = Refract(-wo, facet.m, facet.cosine, inside, eta);
+    if (wi.z < 0) refracted += double((1 - fresnel) * Unshadowed(alpha, wo, wi));
+  }
+  return {float(reflected / Samples), float((reflected + refracted) / Samples)};
 }
 
 // By the midpoint rule over the hemisphere.
@@ -80,21 +86,21 @@ float FuzzAlbedo(float alpha, vec3 wo) {
 
 std::vector<float> Integrate() {
   std::vector<float> tables(AlbedoCount);
-  constexpr uint Plane = AlbedoNodes * AlbedoNodes;
-  tbb::parallel_for(0u, Plane, [&](uint at) {
-    const float roughness = Node(at / AlbedoNodes);
-    const vec3 wo = DirectionAt(Node(at % AlbedoNodes));
+  tbb::parallel_for(0u, AlbedoPlane, [&](uint at) {
+    const float roughness = Node(at / AlbedoCosines, AlbedoRoughnesses);
+    const vec3 wo = DirectionAt(Sqr(Node(at % AlbedoCosines, AlbedoCosines)));
     const vec2 alpha = GgxWidths(roughness, 0);
-    tables[CONDUCTOR_ALBEDO + at] = ConductorAlbedo(alpha, wo);
+    const std::vector<Facet> facets = VisibleFacets(alpha, wo);
+    tables[CONDUCTOR_ALBEDO + at] = ConductorAlbedo(facets);
     tables[FUZZ_ALBEDO + at] = FuzzAlbedo(std::max(Sqr(roughness), 0.01f), wo);
-    for (uint k = 0; k < AlbedoNodes; ++k) {
-      const float eta = EtaOfContrast(Node(k));
-      const DielectricAlbedo outside = AlbedoOf(alpha, eta, wo);
-      const DielectricAlbedo inside = AlbedoOf(alpha, 1 / eta, wo);
-      tables[REFLECTED_ALBEDO + k * Plane + at] = outside.reflected;
-      tables[TOTAL_ALBEDO + k * Plane + at] = outside.total;
-      tables[REFLECTED_INSIDE_ALBEDO + k * Plane + at] = inside.reflected;
-      tables[TOTAL_INSIDE_ALBEDO + k * Plane + at] = inside.total;
+    for (uint k = 0; k < AlbedoContrasts; ++k) {
+      const float eta = EtaOfContrast(Node(k, AlbedoContrasts));
+      const DielectricAlbedo outside = AlbedoOf(facets, alpha, eta, wo);
+      const DielectricAlbedo inside = AlbedoOf(facets, alpha, 1 / eta, wo);
+      tables[REFLECTED_ALBEDO + k * AlbedoPlane + at] = outside.reflected;
+      tables[TOTAL_ALBEDO + k * AlbedoPlane + at] = outside.total;
+      tables[REFLECTED_INSIDE_ALBEDO + k * AlbedoPlane + at] = inside.reflected;
+      tables[TOTAL_INSIDE_ALBEDO + k * AlbedoPlane + at] = inside.total;
     }
   });
   FillWavelengthTable(std::span(tables).subspan(WAVELENGTH_TABLE, 4 * WavelengthNodes));

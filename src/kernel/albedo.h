@@ -10,24 +10,28 @@
 
 KERNEL_BEGIN
 
-// Nodes along every axis of a table, at equal distances with both ends.
-CONST uint AlbedoNodes = 16u;
+// Nodes along the axes of a table, at equal distances with both ends; along the cosine's, its root is even, since albedos
+// change fast towards grazing directions.
+CONST uint AlbedoCosines = 16u;
+CONST uint AlbedoRoughnesses = 32u;
+CONST uint AlbedoContrasts = 16u;
+CONST uint AlbedoPlane = 512u;  // nodes of roughness and cosine
 
 // A conductor that reflects all: [roughness][cosine].
 CONST uint CONDUCTOR_ALBEDO = 0u;
 // Fuzz of colour 1: [roughness][cosine].
-CONST uint FUZZ_ALBEDO = 256u;
+CONST uint FUZZ_ALBEDO = 512u;
 // Dielectrics, [contrast][roughness][cosine]: what is reflected, from the thinner and from the denser side, and what is
 // reflected or refracted.
-CONST uint REFLECTED_ALBEDO = 512u;
-CONST uint REFLECTED_INSIDE_ALBEDO = 4608u;
-CONST uint TOTAL_ALBEDO = 8704u;
-CONST uint TOTAL_INSIDE_ALBEDO = 12800u;
+CONST uint REFLECTED_ALBEDO = 1024u;
+CONST uint REFLECTED_INSIDE_ALBEDO = 9216u;
+CONST uint TOTAL_ALBEDO = 17408u;
+CONST uint TOTAL_INSIDE_ALBEDO = 25600u;
 // Wavelengths by their share of all that are chosen: at every node 1/λ² − 1/λ² of the index of refraction (587.6 nm), in
 // 1/µm², and the weights of red, green and blue (path_wavelength.h).
-CONST uint WAVELENGTH_TABLE = 16896u;
+CONST uint WAVELENGTH_TABLE = 33792u;
 CONST uint WavelengthNodes = 65u;
-CONST uint AlbedoCount = 17156u;
+CONST uint AlbedoCount = 34052u;
 
 // The contrast of two indices, in [0, 1]: 1 stands for a ratio of 3 and more.
 FN float AlbedoContrast(float eta) {

@@ -31,7 +31,8 @@ struct Bsdf {
   Spectrum metalScale;         // gives back the conductor's lost energy
   Spectrum reflectionScale;    // the dielectric's reflection: tint, lost energy
   Spectrum transmissionScale;  // its refraction; 0 for an opaque base
-  Spectrum diffuse;            // albedo of what is below the dielectric
+  Spectrum diffuse;            // albedo of what is below the dielectric, by its share of the light
+  Spectrum diffuseColor;       // the same without that share
   float diffuseRoughness;
   Spectrum diffuseTransmission;  // albedo, to the other side
   Spectrum subsurface;           // what enters the body to wander there,
@@ -108,6 +109,7 @@ FN Bsdf DiffuseBsdf(Spectrum albedo) {
   b.reflectionScale = zero;
   b.transmissionScale = zero;
   b.diffuse = albedo;
+  b.diffuseColor = albedo;
   b.diffuseRoughness = 0.0f;
   b.diffuseTransmission = zero;
   b.subsurface = zero;
@@ -308,7 +310,7 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
   }
 
   if (b.pickDiffuse > 0.0f) {
-    f += through * EvalEon(b.diffuse, b.diffuseRoughness, wo, wi) * wi.z;
+    f += through * EvalEon(b.diffuse, b.diffuseColor, b.diffuseRoughness, wo, wi) * wi.z;
     pdf += b.pickDiffuse * wi.z * InvPi;
     if (b.pickDiffuse == 1.0f) return f;
   }

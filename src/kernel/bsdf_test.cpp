@@ -29,7 +29,7 @@ Bsdf Empty() {
 
 Bsdf Matt() {
   Bsdf b = Empty();
-  b.diffuse = {0.8f, 0.5f, 0.3f};
+  b.diffuse = b.diffuseColor = {0.8f, 0.5f, 0.3f};
   b.diffuseRoughness = 0.7f;
   b.pickDiffuse = 1;
   return b;
@@ -259,16 +259,17 @@ TEST(Bsdf, CoatsTakeTheirColourOnBothWays) {
 
 TEST(EvalEon, KeepsAllEnergyAndIsLambertWhenSmooth) {
   const vec3 wo = At(0.4f, 1);
-  EXPECT_EQ(EvalEon(Spectrum(0.7f), 0, wo, At(0.3f, 2)), Spectrum(0.7f) * InvPi);
+  EXPECT_EQ(EvalEon(Spectrum(0.7f), Spectrum(0.7f), 0, wo, At(0.3f, 2)), Spectrum(0.7f) * InvPi);
   for (const float roughness : {0.2f, 0.6f, 1.0f}) {
     double sum = 0;
     constexpr int Steps = 300;
     for (int i = 0; i < Steps; ++i) {
       for (int j = 0; j < Steps; ++j) {
         const float z = (float(i) + 0.5f) / Steps;
-        sum += double(
-            EvalEon(Spectrum(1.0f), roughness, wo, At(z, 2 * Pi * (float(j) + 0.5f) / Steps)).x *
-            z);
+        sum += double(EvalEon(Spectrum(1.0f), Spectrum(1.0f), roughness, wo,
+                              At(z, 2 * Pi * (float(j) + 0.5f) / Steps))
+                          .x *
+                      z);
       }
     }
     // The published fit of the single-scattering albedo is good to a thousandth

@@ -19,8 +19,9 @@ FN float EonSingleAlbedo(float cosine, float roughness) {
   return (1.0f + roughness * g) / (1.0f + EonLoss * roughness);
 }
 
-// Radiance per irradiance, 1/sr, both directions above the surface; roughness in [0, 1].
-FN Spectrum EvalEon(Spectrum albedo, float roughness, vec3 wo, vec3 wi) {
+// Radiance per irradiance, 1/sr, both directions above the surface; roughness in [0, 1]. `albedo` is the share of all
+// light that comes back at the first reflection, `color` what each further one leaves.
+FN Spectrum EvalEon(Spectrum albedo, Spectrum color, float roughness, vec3 wo, vec3 wi) {
   if (roughness <= 0.0f) return albedo * InvPi;
   float s = Dot(wi, wo) - wi.z * wo.z;
   float ratio = s > 0.0f ? s / Max(Max(wi.z, wo.z), 1e-6f) : s;
@@ -28,7 +29,7 @@ FN Spectrum EvalEon(Spectrum albedo, float roughness, vec3 wo, vec3 wi) {
 
   float average = (1.0f + EonAverageLoss * roughness) / (1.0f + EonLoss * roughness);
   Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
-  Spectrum again = albedo * albedo * average / (one - albedo * (1.0f - average));
+  Spectrum again = albedo * color * average / (one - color * (1.0f - average));
   float lost = Max(1.0f - EonSingleAlbedo(wo.z, roughness), 1e-7f) *
                Max(1.0f - EonSingleAlbedo(wi.z, roughness), 1e-7f) / Max(1.0f - average, 1e-7f);
   return (albedo * single + again * lost) * InvPi;

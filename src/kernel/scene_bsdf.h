@@ -7,23 +7,23 @@
 
 // Interpolated between the nodes of [roughness][cosine] at `first`; all coordinates in [0, 1].
 SCENE_FN float AlbedoIn(uint first, float roughness, float cosine) {
-  float x = Clamp(cosine, 0.0f, 1.0f) * float(AlbedoNodes - 1u);
-  float y = Clamp(roughness, 0.0f, 1.0f) * float(AlbedoNodes - 1u);
-  uint i = uint(Min(x, float(AlbedoNodes) - 1.5f));
-  uint j = uint(Min(y, float(AlbedoNodes) - 1.5f));
+  float x = sqrt(Clamp(cosine, 0.0f, 1.0f)) * float(AlbedoCosines - 1u);
+  float y = Clamp(roughness, 0.0f, 1.0f) * float(AlbedoRoughnesses - 1u);
+  uint i = uint(Min(x, float(AlbedoCosines) - 1.5f));
+  uint j = uint(Min(y, float(AlbedoRoughnesses) - 1.5f));
   float tx = x - float(i);
   float ty = y - float(j);
-  uint at = first + j * AlbedoNodes + i;
+  uint at = first + j * AlbedoCosines + i;
   float low = Lerp(tx, albedos[at], albedos[at + 1u]);
-  float high = Lerp(tx, albedos[at + AlbedoNodes], albedos[at + AlbedoNodes + 1u]);
+  float high = Lerp(tx, albedos[at + AlbedoCosines], albedos[at + AlbedoCosines + 1u]);
   return Lerp(ty, low, high);
 }
 SCENE_FN float DielectricAlbedoIn(uint first, float eta, float roughness, float cosine) {
-  float z = AlbedoContrast(eta) * float(AlbedoNodes - 1u);
-  uint k = uint(Min(z, float(AlbedoNodes) - 1.5f));
-  uint at = first + k * AlbedoNodes * AlbedoNodes;
+  float z = AlbedoContrast(eta) * float(AlbedoContrasts - 1u);
+  uint k = uint(Min(z, float(AlbedoContrasts) - 1.5f));
+  uint at = first + k * AlbedoPlane;
   return Lerp(z - float(k), AlbedoIn(at, roughness, cosine),
-              AlbedoIn(at + AlbedoNodes * AlbedoNodes, roughness, cosine));
+              AlbedoIn(at + AlbedoPlane, roughness, cosine));
 }
 
 // Index of refraction whose reflectance at normal incidence is `weight` times that of eta.
@@ -103,7 +103,7 @@ SCENE_FN float SetCoat(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) show
   return roughness;
 }
 
-// The GGX widths of the base. A rough coat spreads what passes it twice (OpenPBR 1.1, section on roughening).
+// Set the GGX widths of the base. Returns the roughness of an even surface that loses about as much. A rough coat spreads what passes it twice (OpenPBR 1.1, section on roughening).
 SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) shown,
                              float coatRoughness) {
   float roughness = Clamp(ShownScalar(physical.roughness, shown, ROLE_ROUGHNESS), 0.0f, 1.0f);
@@ -115,24 +115,36 @@ SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels
   float anisotropy = Clamp(ShownScalar(source, shown, ROLE_ANISOTROPY), 0.0f, 0.99f);
   b.alpha = physical.anisotropyModel == ANISOTROPY_GLTF ? GgxWidthsOfGltf(roughness, anisotropy)
                                                         : GgxWidths(roughness, anisotropy);
-  return roughness;
+  if (anisotropy <= 0.0f) return roughness;
+  // Between the mean width and the root of the mean square, nearer to the latter
+  float mean = 0.5f * (b.alpha.x + b.alpha.y);
+  float alpha = Lerp(0.25f, sqrt(0.5f * (Sqr(b.alpha.x) + Sqr(b.alpha.y))), mean);
+  return Min(sqrt(alpha), 1.0f);
 }
 
-// Choose lobes by what each sends back.
-SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmission,
+// Choose lobes by what each sends back. `kept` is the share of a metal's or a sheet's samples that leaves the facets: where
+// much is lost, what is left weighs so much that paths of many reflections are noisy without end, so some samples are taken
+// evenly instead.
+SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmission, float kept,
                        float coatReflected, float fuzzReflected) {
   Spectrum passage = CoatPassage(b.coat, b.coatEta, b.coatTint, wo.z);
   float passed = MeanChannel(b.underCoat * passage * passage) * b.underFuzz;
   float dielectric = MeanChannel(reflected);
   b.pickCoat = coatReflected * b.underFuzz;
-  b.pickBase = (1.0f - b.metalness) * (dielectric + transmission * (1.0f - Min(dielectric, 1.0f)));
-  if (b.metalness > 0.0f) b.pickBase += b.metalness * MeanChannel(MetalFresnel(b, wo.z));
-  b.pickBase *= passed;
+  float metal = 0.0f;
+  if (b.metalness > 0.0f) metal = b.metalness * MeanChannel(MetalFresnel(b, wo.z));
+  float clear = (1.0f - b.metalness) * transmission;
+  float through = clear * (1.0f - Min(dielectric, 1.0f));
+  float lost = Max(0.9f - kept, 0.0f);
+  float evenly = lost * (b.thin == 1u ? metal + clear * dielectric : metal);
+  float evenlyThrough = b.thin == 1u ? lost * through : 0.0f;
+  b.pickBase =
+      passed * (metal + (1.0f - b.metalness) * dielectric + through - evenly - evenlyThrough);
   b.pickSubsurface = passed * MaxChannel(b.subsurface * b.subsurfaceColor);
   if (b.pickCoat + MaxChannel(b.diffuse) + b.pickSubsurface <= 0.0f)
     b.pickBase = Max(b.pickBase, 1e-3f);
-  b.pickDiffuse = passed * MeanChannel(b.diffuse);
-  b.pickDiffuseTransmission = passed * MeanChannel(b.diffuseTransmission);
+  b.pickDiffuse = passed * (MeanChannel(b.diffuse) + evenly);
+  b.pickDiffuseTransmission = passed * (MeanChannel(b.diffuseTransmission) + evenlyThrough);
   b.pickFuzz = fuzzReflected;
   float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
               b.pickSubsurface + b.pickFuzz;
@@ -236,6 +248,7 @@ SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   b.subsurfaceColor = physical.subsurfaceColor * ShownColor(shown, ROLE_SUBSURFACE_COLOR);
   below = below * (1.0f - subsurface);
   b.diffuse = base * below;
+  b.diffuseColor = base;
   b.diffuseRoughness = physical.diffuseRoughness;
   b.diffuseTransmission = base * 0.0f;
   float through = Clamp(ShownScalar(physical.diffuseTransmission, shown, ROLE_DIFFUSE_TRANSMISSION),
@@ -291,8 +304,8 @@ SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
     fuzzReflected = Min(albedo, 1.0f) * MeanChannel(b.fuzz);
   }
   b.coatScale = b.coat * b.underFuzz;
-  SetPicks(b, view.wo, reflected * MeanChannel(reflectedTint), transmission, coatReflected,
-           fuzzReflected);
+  SetPicks(b, view.wo, reflected * MeanChannel(reflectedTint), transmission, conductor,
+           coatReflected, fuzzReflected);
 }
 
 // What the surface sends out of itself at a cosine: what glows lies below coat and fuzz.

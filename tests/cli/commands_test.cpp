@@ -151,6 +151,32 @@ TEST_F(Commands, TheSceneLanguageIsDescribed) {
   EXPECT_TRUE(ParseJson(schema.out));
 }
 
+TEST_F(Commands, SelftestIsATableWithASummary) {
+  const Result result = Run({"selftest", "closed"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_TRUE(result.out.starts_with("group ")) << result.out;
+  ExpectHas(result.out, "closed       sphere, albedo 0.3 ");
+  ExpectHas(result.out, "6 checks in ");
+  EXPECT_TRUE(result.out.ends_with(" s: 6 ok, 0 failed\n")) << result.out;
+  ExpectHas(Run({"selftest", "--list"}).out, "furnace      bodies that absorb nothing");
+}
+
+TEST_F(Commands, SelftestFailsWhereAnythingIsWrong) {
+  // Noise is never 0
+  const Result table = Run({"selftest", "closed", "--tolerance", "0"});
+  EXPECT_EQ(table.status, 1);
+  ExpectHas(table.out, "  FAILED\n");
+  EXPECT_TRUE(table.out.ends_with(" s: 0 ok, 6 failed\n")) << table.out;
+  const Result json = Run({"selftest", "closed", "--tolerance", "0", "--json"});
+  EXPECT_EQ(json.status, 1);
+  std::optional<JsonValues> values = ParseJson(json.out);
+  ASSERT_TRUE(values) << json.out;
+  EXPECT_EQ((*values)["failed"], "6");
+  EXPECT_EQ((*values)["checks.0.group"], "closed");
+  EXPECT_EQ((*values)["checks.0.passed"], "false");
+}
+
 TEST_F(Commands, VersionTellsBuildAndInstructionSets) {
   const Result result = Run({"--version"});
   EXPECT_EQ(result.status, 0);

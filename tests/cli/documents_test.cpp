@@ -10,8 +10,8 @@
 namespace snell::test {
 namespace {
 
-const char* const CommandNames[] = {"render",    "merge", "compare", "info",      "check",
-                                    "reference", "help",  "manual",  "completion"};
+const char* const CommandNames[] = {"render",    "merge",    "compare", "info",   "check",
+                                    "reference", "selftest", "help",    "manual", "completion"};
 
 std::string Output(const std::vector<std::string>& arguments) {
   const Result result = RunSnell(arguments);

@@ -19,7 +19,7 @@ const Mistake Mistakes[] = {
     {{"frobnicate"},
      "unknown command 'frobnicate'; the commands are: render, merge, compare, info, check, "
      "reference, "
-     "help, "
+     "selftest, help, "
      "manual, completion"},
     {{"scene.toml"}, "'scene.toml' is not a command; to render it: snell render scene.toml"},
     {{"help", "rendr"}, "unknown command 'rendr'; did you mean 'render'?"},
@@ -111,6 +111,11 @@ const Mistake Mistakes[] = {
      "--metric names what --tolerance limits, and needs it"},
     {{"compare", "a.png", "b.png", "--tolerance", "1", "--metric", "ssim"},
      "--metric must be 'flip', 'rmse', 'relmse', 'psnr' or 'max', not 'ssim'"},
+    {{"selftest", "furnaces"},
+     "unknown group 'furnaces'; the groups are: furnace, closed, luminaires, samplers, "
+     "reciprocity, "
+     "scenes"},
+    {{"selftest", "--tolerance", "-1"}, "--tolerance must be at least 0, not '-1'"},
     {{"reference", "--markdown", "--schema"},
      "--markdown and --schema cannot be printed at once; choose one"},
 };

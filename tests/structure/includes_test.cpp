@@ -28,8 +28,10 @@ const std::map<std::string, std::set<std::string>> MayInclude = {
     {"io", {"scene", "image", "util"}},
     {"cpu", {"render", "tessellate", "scene", "bvh", "image", "kernel", "util"}},
     {"gpu", {"render", "scene", "bvh", "image", "kernel", "util"}},
+    {"selftest", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
     {"api",
-     {"io", "cpu", "gpu", "render", "tessellate", "scene", "image", "bvh", "kernel", "util"}},
+     {"selftest", "io", "cpu", "gpu", "render", "tessellate", "scene", "image", "bvh", "kernel",
+      "util"}},
     {"apps", {"api", "util"}},
     {"python", {"api", "util"}},
 };
