@@ -37,7 +37,7 @@ std::uint64_t FlatScene::MemoryBytes() const {
          BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
          BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
          BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         TextureBytes();
+         BytesOf(grids) + TextureBytes();
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -113,6 +113,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlattenCone(settings, flat.params);
 
   FlattenMaterials(scene, flat);
+  FlattenGrids(scene, flat);
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));

@@ -31,6 +31,7 @@ struct Kernel {
   const Texture* textures;
   const Image* images;
   const uint* texels;
+  const Grid* grids;
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
@@ -49,6 +50,7 @@ struct Kernel {
 #include "kernel/path_shadow.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_filter.h"
+#include "kernel/scene_grid.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"

@@ -6,12 +6,6 @@
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
-SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
-  vec2 u = Sobol2D(s.sampleIndex, HashCombine(s.seed, s.dimension));
-  s.dimension += 1u;
-  return u;
-}
-
 // The lights' importances at p, added up, and one of them chosen in proportion by u; None: all are dark.
 SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImportance) {
   sum = 0.0f;
@@ -100,7 +94,7 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, float cho
   float sourcePdf = PdfEmitter(material, source, ray.d, distance);
   s.rays.shadow += 1u;
   float reach = DistanceToLight(v.p, point, source.n, ray.d, distance);
-  return f * Le * PathTransmittance(VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
+  return f * Le * PathTransmittance(s, VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
          (1.0f / (sourcePdf + pdf));
 }
 
@@ -123,7 +117,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   s.rays.shadow += 1u;
   Spectrum arriving =
       f * li.irradiance *
-      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
+      PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
   if (light.found == 1u) {

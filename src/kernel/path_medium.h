@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A path's way through the medium between two surfaces: it may be absorbed, and it may be scattered before it gets to
-// the next surface. Glow along the way is added in closed form. Reads all buffers of the scene.
+// the next surface. Glow along an even medium is added in closed form. Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_MEDIUM_H
 #define SNELL_KERNEL_PATH_MEDIUM_H
 
@@ -23,6 +23,7 @@ SCENE_FN Medium WalkMedium(IN(PathState) s) {
   medium.scattering = medium.extinction * s.walkAlbedo;
   medium.emission = Spectrum(0.0f, 0.0f, 0.0f);
   medium.anisotropy = physical.subsurfaceAnisotropy;
+  medium.grid = None;
   return medium;
 }
 
@@ -52,15 +53,48 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   PathRoulette(s, PathSample2D(s).x);
 }
 
+// PathGetsThrough for a grid: at a possible collision light is scattered, or where the density is below the greatest one,
+// by chance nothing happens. Both by what the path carries (Kutz et al. 2017, "Spectral and decomposition tracking for
+// rendering heterogeneous volumes").
+SCENE_FN bool PathGetsThroughGrid(INOUT(PathState) s, IN(Medium) medium, uint object,
+                                  IN(MediumStack) media, float distance) {
+  LET(Grid) grid = grids[medium.grid];
+  GridRay g = ToGrid(grid, object, s.ray, distance);
+  float sigma = MaxChannel(medium.extinction);
+  float t = g.first;
+  float greatest;
+  float chance;
+  for (uint i = 0u; i < MaxGridSteps; ++i) {
+    if (!NextCollision(s, grid, g, sigma, t, greatest, chance)) return true;
+    float share = GridDensity(grid, g.o + g.d * t) / greatest;
+    s.L += s.beta * medium.emission * share;
+    Spectrum scattered = s.beta * medium.scattering * share;
+    Spectrum passed = s.beta - s.beta * medium.extinction * share;
+    passed = Spectrum(Max(passed.x, 0.0f), Max(passed.y, 0.0f), Max(passed.z, 0.0f));
+    float scatters = MeanChannel(scattered);
+    float both = scatters + MeanChannel(passed);
+    if (both <= 0.0f) return false;
+    if (chance * both < scatters) {
+      s.beta = scattered * (both / scatters);
+      PathScatter(s, medium, media, t);
+      return false;
+    }
+    s.beta = passed * (both / (both - scatters));
+  }
+  return true;
+}
+
 // Follow the ray through the media around it. True: it gets as far as `distance`, with what is left of it. False: it
 // ends on the way, or has been scattered into another direction.
 SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float distance) {
+  uint object = CurrentMedium(media);
   Medium medium;
   if (s.walk != None) {
     medium = WalkMedium(s);
   } else {
-    medium = MediumOf(CurrentMedium(media));
+    medium = MediumOf(object);
   }
+  if (medium.grid != None) return PathGetsThroughGrid(s, medium, object, media, distance);
   float reach = Min(distance, LongestFlight);
   if (!IsBlack(medium.emission))
     s.L += s.beta * medium.emission * GlowLength(medium.extinction, reach);

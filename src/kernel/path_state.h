@@ -5,6 +5,7 @@
 #define SNELL_KERNEL_PATH_STATE_H
 
 #include "kernel/ray.h"
+#include "kernel/sobol.h"
 
 KERNEL_BEGIN
 
@@ -12,6 +13,8 @@ KERNEL_BEGIN
 CONST uint RouletteDepth = 4u;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
+// Bricks of a grid and possible collisions in it that one flight may go through.
+CONST uint MaxGridSteps = 8192u;
 
 struct PathState {
   Ray ray;           // to the next vertex
@@ -35,6 +38,13 @@ struct PathState {
   uint dimension;    // pairs of sample dimensions used
   RayCounts rays;
 };
+
+// The path's next pair of sample dimensions.
+FN vec2 PathSample2D(INOUT(PathState) s) {
+  vec2 u = Sobol2D(s.sampleIndex, HashCombine(s.seed, s.dimension));
+  s.dimension += 1u;
+  return u;
+}
 
 KERNEL_END
 

@@ -228,12 +228,20 @@ struct Physical {
   uint metalByBase;  // 1: the base colour's texture multiplies the metal's, too
 };
 
-// What fills a space evenly. Absorbs what extinction has more than scattering.
+// Densities at the points of a lattice (scene_grid.h).
+struct Grid {
+  Transform toObject;  // from the lattice to the space of the object that it fills
+  uvec3 bricks;        // along the axes; each is of 8³ points
+  uint firstWord;      // of the bricks' table, among the words of images
+};
+
+// What fills a space. Absorbs what extinction has more than scattering.
 struct Medium {
   Spectrum extinction;  // per metre
   Spectrum scattering;  // per metre
   Spectrum emission;    // W/(sr·m³)
   float anisotropy;     // the mean cosine of the angle of deflection
+  uint grid;            // densities that all of it is multiplied by, or None: it is even
 };
 
 CONST uint ALPHA_OPAQUE = 0u;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/types.h"
+#include "scene/grid.h"
 #include "scene/material.h"
 #include "util/error.h"
 
@@ -199,6 +200,7 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
+  std::vector<DensityGrid> grids;
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
 };

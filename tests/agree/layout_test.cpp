@@ -34,6 +34,7 @@ SNELL_GLSL_NAME(uint)
 SNELL_GLSL_NAME(vec2)
 SNELL_GLSL_NAME(vec3)
 SNELL_GLSL_NAME(uvec2)
+SNELL_GLSL_NAME(uvec3)
 SNELL_GLSL_NAME(Camera)
 SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(ScalarSource)
@@ -134,7 +135,9 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Medium",
        {sizeof(Medium),
         {MEMBER(Medium, extinction), MEMBER(Medium, scattering), MEMBER(Medium, emission),
-         MEMBER(Medium, anisotropy)}}},
+         MEMBER(Medium, anisotropy), MEMBER(Medium, grid)}}},
+      {"Grid",
+       {sizeof(Grid), {MEMBER(Grid, toObject), MEMBER(Grid, bricks), MEMBER(Grid, firstWord)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
@@ -225,7 +228,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 17u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 18u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -19,13 +19,14 @@
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_grid.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
 #include "kernel/path.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 21) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 22) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

@@ -24,7 +24,7 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/whitted.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 21) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 22) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

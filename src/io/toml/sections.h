@@ -88,6 +88,8 @@ struct MaterialDraft {
   bool normalized = false;
   scene::OpenPbr physical;
   scene::Medium volume;
+  std::filesystem::path gridFile;
+  std::string gridName;
 };
 
 const SectionOf<TextureDraft>& TextureSection();
