@@ -33,8 +33,11 @@ text_of() {
 
 # Small pictures take more samples instead of being scaled down. The README shows the finale large.
 render() {
+  local spp=64
+  # Paths are noisier than trees of rays
+  if grep -q '^integrator = "path"' "$scenes/$1.toml"; then spp=400; fi
   printf '%s\n' "$1"
-  "$snell" render "$scenes/$1.toml" -o "$pictures/$1.jpg" --size 400x300 --spp 64 --quality 88 --quiet
+  "$snell" render "$scenes/$1.toml" -o "$pictures/$1.jpg" --size 400x300 --spp "$spp" --quality 88 --quiet
   if [[ $1 == finale ]]; then
     "$snell" render "$scenes/$1.toml" -o docs/images/finale.jpg --quality 85 --quiet
   fi
