@@ -15,11 +15,13 @@ snell=${SNELL:-./snell}
 # Each line is a group and its scenes, in the order of a first course.
 groups='Shapes: sphere plane triangle shapes mesh subdivision displacement models textures
 Shading: ambient diffuse specular phong
-Light: light_directional light_point light_spot falloff light_colors
+Light: light_directional light_point light_spot falloff light_colors sky_noon sky_evening
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
+Cameras: depth_of_field fisheye
 Glass: refraction total_reflection absorption glass_of_water
 Media: fog smoke subsurface
+Real materials: metals thin_films dispersion
 All together: finale'
 
 # The first comment of a scene: its title, or what there is to see.

@@ -22,6 +22,7 @@ constexpr const char* Details =
 struct CompareArguments {
   std::string reference;
   std::string picture;
+  std::optional<std::array<int, 4>> crop;
   std::optional<std::string> output;
   std::optional<float> tolerance;
   std::optional<std::string> metric;
@@ -63,13 +64,19 @@ int RunCompare(const CompareArguments& arguments) {
     throw UsageError("--metric names what --tolerance limits, and needs it");
   if (arguments.output) CheckPictureWritable(*arguments.output);
 
-  const Picture reference = ReadPicture(arguments.reference);
-  const Picture picture = ReadPicture(arguments.picture);
+  Picture reference = ReadPicture(arguments.reference);
+  Picture picture = ReadPicture(arguments.picture);
+  if (arguments.crop) {
+    reference = CropPicture(reference, *arguments.crop);
+    picture = CropPicture(picture, *arguments.crop);
+  }
   const PictureDifference difference = ComparePictures(reference, picture);
   for (const Metric& metric : Metrics) {
     const std::string figure = fmt::format("{:.6g}{}", difference.*metric.value, metric.unit);
     PrintOut(fmt::format("{:<7} {:<12}  {}\n", metric.title, figure, metric.meaning));
   }
+  PrintOut(fmt::format("mean    {:<12.6g}  of all channels, linear; of the reference {:.6g}\n",
+                       difference.meanTest, difference.meanReference));
   if (arguments.output) WritePicture(*arguments.output, DifferencePicture(reference, picture));
 
   // Judge
@@ -97,6 +104,8 @@ void AddCompareCommand(Program& program) {
   command.option_defaults()->group("Comparing");
   AddValue<std::string>(command, "-o,--output", "FILE", ReadPictureName, arguments->output,
                         "Write a picture of the FLIP error of each pixel in false colours");
+  AddValue<std::array<int, 4>>(command, "--crop", "X0,Y0,X1,Y1", ReadCrop, arguments->crop,
+                               "Compare only these pixels, counted from the top left");
   AddValue(command, "--tolerance", "X", Number(0, std::numeric_limits<float>::max()),
            arguments->tolerance, "Exit with 1 if the metric is above X, or for PSNR below it");
   AddChoice(command, "--metric", names, arguments->metric, "What --tolerance limits (flip)");

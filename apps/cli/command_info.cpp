@@ -75,8 +75,8 @@ std::string BoundsText(const SceneInfo& info) {
 
 std::string InfoText(const SceneInfo& info) {
   std::string text = info.name + "\n";
-  text += fmt::format("  picture    {} × {}, {} per pixel\n", info.width, info.height,
-                      Plural(std::uint64_t(info.spp), "sample"));
+  text += fmt::format("  picture    {} × {}, {} per pixel, {}\n", info.width, info.height,
+                      Plural(std::uint64_t(info.spp), "sample"), info.integrator);
   text += ListText("cameras", info.cameras);
   if (info.cameras.empty()) text += "  cameras    none; everything is framed\n";
   text += ListText("lights", info.lights);
@@ -113,6 +113,7 @@ std::string InfoJson(const SceneInfo& info) {
   json.Add("width", info.width);
   json.Add("height", info.height);
   json.Add("samples_per_pixel", info.spp);
+  json.Add("integrator", info.integrator);
   AddItems(json, "cameras", info.cameras);
   AddItems(json, "lights", info.lights);
   AddItems(json, "materials", info.materials);

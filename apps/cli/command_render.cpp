@@ -29,15 +29,17 @@ constexpr const char* Details =
     "  snell render scene.toml --spp 64 -o scene.png -o scene.exr\n"
     "  snell render scene.toml --crop 100,50,300,200 -o detail.png\n\n"
     "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program "
-    "at once. The exit status is 0 if all is well, 1 if a file or the memory is at fault, 2 if the "
-    "command line is wrong, and 130 after Ctrl-C.";
+    "at once. Long renders save a checkpoint now and then, with which --resume goes on. The exit "
+    "status is 0 if all is well, 1 if a file or the memory is at fault, 2 if the command line is "
+    "wrong, and 130 after Ctrl-C.";
 
 ProgressStyle StyleOf(const RenderArguments& arguments) {
   return arguments.quiet ? ProgressStyle::None : SuitableStyle();
 }
 
 // Report everything that is wrong with the outputs while it costs nothing yet.
-void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& outputs) {
+void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& outputs,
+                  const FilmOptions& films) {
   std::vector<Diagnostic> faults;
   const auto collect = [&](const auto& check) {
     try {
@@ -48,6 +50,8 @@ void CheckOutputs(const RenderArguments& arguments, const std::vector<Output>& o
   };
   for (const Output& output : outputs)
     collect([&] { CheckPictureWritable(output.path, output.options); });
+  if (arguments.film.checkpoint) collect([&] { CheckFileWritable(films.checkpoint); });
+  if (arguments.film.film) collect([&] { CheckFileWritable(films.output); });
   if (arguments.stats) collect([&] { CheckTextWritable(*arguments.stats); });
   if (!faults.empty()) throw Error(std::move(faults));
 }
@@ -81,17 +85,6 @@ std::vector<std::pair<std::string, std::string>> MetadataOf(const RenderArgument
   return metadata;
 }
 
-// Print what went wrong with a file and what became of the picture.
-void PrintFaults(const Output& output, const Written& written) {
-  if (written.faults.empty()) return;
-  PrintError(ToString(written.faults.front()));
-  if (written.path.empty())
-    PrintError(fmt::format("{}: the picture is lost; no other place could be written either",
-                           output.path.string()));
-  else
-    PrintNote(fmt::format("the picture is in '{}' instead", written.path.string()));
-}
-
 // Write every picture; false if one is not where it was asked for.
 bool WriteAll(const std::vector<Output>& outputs, const Picture& picture, ProgressBar& bar,
               RenderSummary& summary) {
@@ -110,31 +103,53 @@ bool WriteAll(const std::vector<Output>& outputs, const Picture& picture, Progre
   return allInPlace;
 }
 
+// Say whether the render goes on with another one's film.
+void TellOfCheckpoint(const FilmOptions& films) {
+  std::error_code ignored;
+  const std::string name = films.checkpoint.string();
+  const bool exists = !name.empty() && fs::exists(films.checkpoint, ignored);
+  if (films.resume && !exists)
+    PrintNote(fmt::format("there is no checkpoint '{}'; the render begins anew", name));
+  else if (exists && !films.resume && films.checkpoint != films.output)
+    PrintNote(fmt::format("'{}' holds a render that was stopped; --resume goes on with it", name));
+}
+
+// Once its picture is written, nobody needs a checkpoint.
+void RemoveCheckpoint(const FilmOptions& films, const RenderReport& report) {
+  std::error_code ignored;
+  if ((films.resume || report.checkpointSaved) && films.checkpoint != films.output)
+    fs::remove(films.checkpoint, ignored);
+}
+
 std::string InterruptionText(const RenderReport& report) {
   if (report.samplesPerPixel == 0)
     return "interrupted before anything was rendered; nothing is written";
   const char* gaps = report.samplesPerPixel < 1 ? "; parts of it are black" : "";
-  return fmt::format("interrupted; the picture has {} samples per pixel{}",
-                     SamplesText(report.samplesPerPixel), gaps);
+  const char* more = report.checkpointSaved ? "; --resume goes on with it" : "";
+  return fmt::format("interrupted; the picture has {} samples per pixel{}{}",
+                     SamplesText(report.samplesPerPixel), gaps, more);
 }
 
 int RunRender(const RenderArguments& arguments) {
   const Timer timer;
   std::vector<Output> outputs = OutputsOf(arguments);
+  RenderOptions options = RenderOptionsOf(arguments, outputs);
   IgnoreWriteSignals();
-  CheckOutputs(arguments, outputs);
+  CheckOutputs(arguments, outputs, options.film);
 
   RenderSummary summary;
   summary.scene = arguments.scene;
   const Scene scene = Load(arguments, summary);
-  if (!arguments.quiet && arguments.outputs.empty())
+  if (!arguments.quiet) TellOfCheckpoint(options.film);
+  if (!arguments.quiet && arguments.outputs.empty() && !outputs.empty())
     PrintNote(
         fmt::format("the picture will be '{}'; -o chooses another name", outputs[0].path.string()));
 
   // Render until done or told to stop
   const StopOnSignal stop;
   ProgressBar bar(StyleOf(arguments), &stop.flag());
-  const RenderResult result = Render(scene, RenderOptionsOf(arguments), &bar, &stop.flag());
+  if (options.seconds) *options.seconds -= timer.Seconds();
+  const RenderResult result = Render(scene, options, &bar, &stop.flag());
   summary.report = result.report;
   summary.width = result.picture.width;
   summary.height = result.picture.height;
@@ -152,6 +167,13 @@ int RunRender(const RenderArguments& arguments) {
   bool allInPlace = true;
   if (result.report.samplesPerPixel > 0)
     allInPlace = WriteAll(outputs, result.picture, bar, summary);
+  if (!result.report.filmFault.empty()) {
+    PrintError(result.report.filmFault);
+    allInPlace = false;
+  } else if (!options.film.output.empty() && result.report.samplesPerPixel > 0) {
+    summary.files.push_back(options.film.output.string());
+  }
+  if (allInPlace && !result.report.stopped) RemoveCheckpoint(options.film, result.report);
 
   // Sum up
   summary.totalSeconds = timer.Seconds();

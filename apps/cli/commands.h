@@ -8,6 +8,7 @@
 namespace snell::cli {
 
 void AddRenderCommand(Program& program);
+void AddMergeCommand(Program& program);
 void AddInfoCommand(Program& program);
 void AddCheckCommand(Program& program);
 void AddCompareCommand(Program& program);

@@ -122,7 +122,7 @@ std::string Heading(const Argument& argument) {
 FileKind FileKindOf(const std::string& value) {
   if (value == "SCENE") return FileKind::Scene;
   if (value == "PICTURE" || value == "REFERENCE") return FileKind::Picture;
-  if (value == "FILE") return FileKind::Any;
+  if (value == "FILE" || value == "FILM") return FileKind::Any;
   return FileKind::None;
 }
 

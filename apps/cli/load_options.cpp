@@ -82,8 +82,13 @@ void AddLoadOptions(CLI::App& command, LoadArguments& arguments) {
   AddValue(command, "--smooth", "DEGREES", Number(0, 180), arguments.smooth,
            "Mesh files without normals: shade edges below this angle smoothly; 0: flat");
   command.option_defaults()->group("Animations");
-  AddValue(command, "--time", "SECONDS", Number(-MaxSeconds, MaxSeconds), arguments.time,
+  AddValue(command, "--at", "SECONDS", Number(-MaxSeconds, MaxSeconds), arguments.time,
            "glTF files with animations: the moment to show; without it everything is at rest");
+  command.option_defaults()->group("Light");
+  AddValue<std::string>(
+      command, "--environment", "FILE", ReadText, arguments.environment,
+      "A picture of all directions that lights the scene in place of its environment and of the "
+      "studio that models are set into");
   command.option_defaults()->group("Safety");
   AddValues(command, "--allow", "FOLDER", ReadText, arguments.folders,
             "A folder that files may be read from besides the scene's own; may be given several "
@@ -101,6 +106,7 @@ Scene Load(const std::string& scene, const LoadArguments& arguments, WarningSink
   if (arguments.up) options.zUp = *arguments.up == "z";
   options.smooth = arguments.smooth;
   options.time = arguments.time;
+  if (arguments.environment) options.environment = *arguments.environment;
   options.folders.assign(arguments.folders.begin(), arguments.folders.end());
   for (const std::string& limit : arguments.limits) {
     const Setting setting = ReadLimit(limit);

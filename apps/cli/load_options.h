@@ -16,6 +16,7 @@ struct LoadArguments {
   std::optional<std::string> up;  // "y" or "z"
   std::optional<float> smooth;
   std::optional<float> time;
+  std::optional<std::string> environment;  // a file
   std::vector<std::string> folders;
   std::vector<std::string> limits;  // "NAME=VALUE"
 };

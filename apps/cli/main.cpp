@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
 
   // Pictures
   AddRenderCommand(program);   // a scene becomes pictures
+  AddMergeCommand(program);    // parts that were rendered apart become one
   AddCompareCommand(program);  // how far two pictures are apart
 
   // Scenes

@@ -63,6 +63,16 @@ Written WriteOrRescue(const Output& output, const Picture& picture) {
   return written;
 }
 
+void PrintFaults(const Output& output, const Written& written) {
+  if (written.faults.empty()) return;
+  PrintError(ToString(written.faults.front()));
+  if (written.path.empty())
+    PrintError(fmt::format("{}: the picture is lost; no other place could be written either",
+                           output.path.string()));
+  else
+    PrintNote(fmt::format("the picture is in '{}' instead", written.path.string()));
+}
+
 void CheckTextWritable(const std::string& name) {
   if (name != "-") CheckFileWritable(name);
 }

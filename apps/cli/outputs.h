@@ -26,6 +26,8 @@ struct Written {
 };
 
 Written WriteOrRescue(const Output& output, const Picture& picture);
+// Print what went wrong with a file and what became of the picture, if anything did.
+void PrintFaults(const Output& output, const Written& written);
 
 // A text file, atomically; "-" is the standard output. Pipes and devices are written to as they are.
 void CheckTextWritable(const std::string& name);

@@ -20,6 +20,8 @@ constexpr int MaxSamples = std::numeric_limits<int>::max();
 constexpr int MaxThreads = 4096;
 constexpr float MaxStops = 100;
 
+}  // namespace
+
 void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddValues(
       command, "-o,--output", "FILE", ReadText, a.outputs,
@@ -35,6 +37,8 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       "linear");
 }
 
+namespace {
+
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
   AddValue<std::pair<int, int>>(
       command, "--size", "WxH", ReadSize, a.size,
@@ -49,15 +53,20 @@ void AddViewOptions(CLI::App& command, RenderArguments& a) {
 
 void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
-           "Samples per pixel (the scene's, or 16)");
+           "Samples per pixel (the scene's, or 16; 64 by paths)");
+  AddEndOptions(command, a.film);
   AddValue<std::pair<std::uint32_t, std::uint32_t>>(
       command, "--samples", "A:B", ReadSampleRange, a.samples,
       "Only the samples from number A up to B, which is left out");
-  AddChoice(command, "--integrator", "whitted|path", a.integrator, "How light is followed");
+  AddChoice(command, "--integrator", "whitted|path", a.integrator,
+            "How light is followed (the scene's, or path where a material is physical)");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
            "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
+  AddValue(command, "--clamp-indirect", "X", Number(0, 1e9f), a.clampIndirect,
+           "Path tracer: the most that indirect light adds to a pixel at once (the scene's, or 0: "
+           "any); removes fireflies, and some light");
 }
 
 void AddRunOptions(CLI::App& command, RenderArguments& a) {
@@ -99,11 +108,14 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
   command.option_defaults()->group("Quality");
   AddQualityOptions(command, arguments);
   AddLoadOptions(command, arguments.load);
+  command.option_defaults()->group("Long renders");
+  AddFilmOptions(command, arguments.film);
   command.option_defaults()->group("Running");
   AddRunOptions(command, arguments);
 }
 
-RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
+RenderOptions RenderOptionsOf(const RenderArguments& arguments,
+                              const std::vector<Output>& outputs) {
   RenderOptions options;
   const auto [width, height] = arguments.size.value_or(std::pair(0, 0));
   if (width > 0) options.width = width;
@@ -111,10 +123,15 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments) {
   options.spp = arguments.spp;
   options.maxDepth = arguments.maxDepth;
   options.minContribution = arguments.minContribution;
+  options.clampIndirect = arguments.clampIndirect;
   options.integrator = arguments.integrator;
   options.camera = arguments.camera;
   options.crop = arguments.crop;
   options.samples = arguments.samples;
+  options.seconds = arguments.film.seconds;
+  options.noise = arguments.film.noise;
+  options.exposure = arguments.exposure;
+  options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
   return options;
 }
@@ -123,7 +140,8 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   std::vector<Output> outputs;
   std::set<fs::path> seen;
   std::vector<std::string> names = arguments.outputs;
-  if (names.empty()) names.push_back(fs::path(arguments.scene).stem().string() + ".png");
+  if (names.empty() && !arguments.film.film)
+    names.push_back(fs::path(arguments.scene).stem().string() + ".png");
   for (const std::string& name : names) {
     if (!seen.insert(fs::path(name).lexically_normal()).second)
       throw UsageError("--output names '" + name + "' twice");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "api/snell.h"
+#include "cli/film_options.h"
 #include "cli/load_options.h"
 #include "cli/outputs.h"
 
@@ -34,8 +35,10 @@ struct RenderArguments {
   std::optional<std::string> integrator;
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
+  std::optional<float> clampIndirect;
 
   LoadArguments load;
+  FilmArguments film;
 
   std::optional<int> threads;
   bool quiet = false;
@@ -44,10 +47,13 @@ struct RenderArguments {
 
 // Declare the options. `arguments` must live until the command line has been parsed.
 void AddRenderOptions(CLI::App& command, RenderArguments& arguments);
+// Those of pictures alone.
+void AddOutputOptions(CLI::App& command, RenderArguments& arguments);
 
-RenderOptions RenderOptionsOf(const RenderArguments& arguments);
+// `outputs` are the pictures that will be written.
+RenderOptions RenderOptionsOf(const RenderArguments& arguments, const std::vector<Output>& outputs);
 
-// The pictures to write, without what is known only later (exposure, metadata). Throws UsageError if an
+// The pictures to write, none if only a film is, without what is known only later (exposure, metadata). Throws UsageError if an
 // option has nothing to work on.
 std::vector<Output> OutputsOf(const RenderArguments& arguments);
 

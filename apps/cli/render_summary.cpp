@@ -14,6 +14,16 @@ static double MraysPerSecond(const RenderReport& report) {
   return report.renderSeconds > 0 ? double(report.Rays()) / report.renderSeconds * 1e-6 : 0;
 }
 
+static const char* EndText(RenderEnd end) {
+  switch (end) {
+    case RenderEnd::Samples: return "samples";
+    case RenderEnd::Noise: return "noise";
+    case RenderEnd::Time: return "time";
+    case RenderEnd::Stopped: return "signal";
+  }
+  return "";
+}
+
 std::string SamplesText(double samplesPerPixel) {
   const bool whole = samplesPerPixel == std::floor(samplesPerPixel);
   return whole ? fmt::format("{:.0f}", samplesPerPixel) : fmt::format("{:.2f}", samplesPerPixel);
@@ -40,6 +50,11 @@ std::string SummaryText(const RenderSummary& summary) {
   text +=
       fmt::format("  memory   scene {}, BVH {}, film {}; {} at the peak\n", ByteSize(r.sceneBytes),
                   ByteSize(r.bvhBytes), ByteSize(r.filmBytes), ByteSize(summary.peakBytes));
+  if (r.noise) {
+    text += fmt::format("  noise    {:.2g} RMS, {:.2g} at most; {} above what was asked\n",
+                        r.noise->rms, r.noise->largest, Plural(r.noise->pixels, "pixel"));
+  }
+  if (r.heldBack > 0) text += fmt::format("  clamped  {:.2g} % of the light\n", r.heldBack * 100);
   text += fmt::format("  written  {}\n", summary.files.empty()
                                              ? "nothing"
                                              : fmt::format("{}", fmt::join(summary.files, ", ")));
@@ -57,8 +72,18 @@ std::string SummaryJson(const RenderSummary& summary) {
   json.Add("width", summary.width);
   json.Add("height", summary.height);
   json.Add("samples_per_pixel", r.samplesPerPixel);
-  json.Add("complete", !r.stopped);
+  json.Add("complete", r.end == RenderEnd::Samples || r.end == RenderEnd::Noise);
+  json.Add("ended_by", EndText(r.end));
+  if (r.resumedSamples > 0) json.Add("resumed_samples_per_pixel", r.resumedSamples);
   json.End();
+  if (r.noise) {
+    json.BeginObject("noise");
+    json.Add("rms", r.noise->rms);
+    json.Add("largest", r.noise->largest);
+    json.Add("pixels_above", r.noise->pixels);
+    json.End();
+  }
+  if (r.heldBack > 0) json.Add("clamped_share", r.heldBack);
   json.BeginObject("seconds");
   json.Add("load", summary.loadSeconds);
   json.Add("prepare", r.prepareSeconds);

@@ -65,7 +65,8 @@ std::string UnknownOption(const CLI::App& program, const CLI::App* chosen,
                        option);
   const Command command = chosen ? DescribeChosen(program) : whole;
   std::string hint;
-  if (option.size() > 2) hint = DidYouMean(option, OptionNames(command));
+  if (option == "--time") hint = "--at names the moment of an animation";
+  if (hint.empty() && option.size() > 2) hint = DidYouMean(option, OptionNames(command));
   if (hint.empty()) hint = fmt::format("'{} --help' lists the options", command.name);
   return fmt::format("unknown option '{}'; {}", option, hint);
 }

@@ -121,6 +121,26 @@ std::pair<std::uint32_t, std::uint32_t> ReadSampleRange(const std::string& text)
   return {*first, *last};
 }
 
+double ReadDuration(const std::string& text) {
+  static constexpr std::pair<char, double> Units[] = {
+      {'s', 1}, {'m', 60}, {'h', 3600}, {'d', 86400}};
+  std::string digits = text;
+  double unit = 1;
+  for (const auto& [letter, seconds] : Units) {
+    if (!digits.empty() && digits.back() == letter) {
+      digits.pop_back();
+      unit = seconds;
+      break;
+    }
+  }
+  char* rest = nullptr;
+  const double number = std::strtod(digits.c_str(), &rest);
+  const bool plain = digits.find_first_not_of("0123456789.") == digits.npos;
+  if (digits.empty() || !plain || *rest != '\0' || !(number > 0) || number > 1e9)
+    throw BadValue("must be a time such as 90, 45s, 2m or 1h");
+  return number * unit;
+}
+
 std::string ReadText(const std::string& text) { return text; }
 
 std::string ReadPictureName(const std::string& text) {

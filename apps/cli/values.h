@@ -41,6 +41,8 @@ std::pair<int, int> ReadSize(const std::string& text);
 std::array<int, 4> ReadCrop(const std::string& text);
 // "A:B", sample numbers; A < B.
 std::pair<std::uint32_t, std::uint32_t> ReadSampleRange(const std::string& text);
+// Seconds of a duration: "90", "1.5s", "2m", "1h"; above 0.
+double ReadDuration(const std::string& text);
 // Any text. (Empty ones reach no reader.)
 std::string ReadText(const std::string& text);
 // The name of a picture to write, with one of the known extensions.

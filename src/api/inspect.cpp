@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "api/scene.h"
@@ -8,6 +9,7 @@
 #include "cpu/flatten.h"
 #include "scene/bounds.h"
 #include "scene/framing.h"
+#include "scene/settings.h"
 #include "util/text.h"
 #include "util/timer.h"
 
@@ -56,11 +58,29 @@ struct KindName {
 };
 
 SceneInfo::Item Describe(const scene::Camera& camera) {
-  const bool orthographic = camera.kind == scene::CameraKind::Orthographic;
-  return {camera.name, orthographic ? "orthographic" : "pinhole",
-          orthographic ? fmt::format("at {}, {:g} m high", Format(camera.position), camera.height)
-                       : fmt::format("at {}, {:g}° high", Format(camera.position),
-                                     camera.fov * DegreesPerRadian)};
+  static constexpr const char* Kinds[] = {"pinhole", "orthographic", "panorama", "fisheye"};
+  std::string detail = "at " + Format(camera.position);
+  const float fov = camera.fov * DegreesPerRadian;
+  switch (camera.kind) {
+    case scene::CameraKind::Pinhole:
+      detail += fmt::format(", {:g}° {}", fov,
+                            camera.fovAxis == scene::FovAxis::Vertical ? "high" : "wide");
+      break;
+    case scene::CameraKind::Orthographic:
+      detail += fmt::format(", {:g} m high", camera.height);
+      break;
+    case scene::CameraKind::Panorama:
+      detail += fmt::format(", {:g}° × {:g}°",
+                            std::abs(camera.longitude.y - camera.longitude.x) * DegreesPerRadian,
+                            (camera.latitude.y - camera.latitude.x) * DegreesPerRadian);
+      break;
+    case scene::CameraKind::Fisheye: detail += fmt::format(", {:g}° across", fov); break;
+  }
+  if (camera.lens.radius > 0) {
+    detail += fmt::format(", aperture {:g} mm, focus at {:g} m", camera.lens.radius * 2000,
+                          camera.lens.focusDistance);
+  }
+  return {camera.name, Kinds[int(camera.kind)], detail};
 }
 
 SceneInfo::Item DescribePhysical(const scene::Material& material) {
@@ -112,7 +132,10 @@ SceneInfo Inspect(const Scene& opened) {
   info.name = scene.name;
   info.width = scene.settings.width;
   info.height = scene.settings.height;
-  info.spp = scene.settings.spp;
+  scene::RenderSettings settings = scene.settings;
+  scene::Resolve(scene, settings);
+  info.spp = settings.spp;
+  info.integrator = settings.integrator == scene::Integrator::Path ? "path" : "whitted";
   for (const scene::Camera& camera : scene.cameras) info.cameras.push_back(Describe(camera));
   for (const scene::Light& light : scene.lights) {
     info.lights.push_back(

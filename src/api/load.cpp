@@ -46,6 +46,7 @@ Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options) {
   readOptions.zUp = options.zUp;
   readOptions.smooth = options.smooth;
   readOptions.time = options.time;
+  readOptions.environment = options.environment;
   readOptions.limits = LimitsOf(options);
   CheckFolders(options);
   readOptions.folders = options.folders;
@@ -54,6 +55,9 @@ Scene LoadScene(const std::filesystem::path& path, const LoadOptions& options) {
 }
 
 std::string KnownSceneExtensions() { return io::KnownFormats(); }
+bool HasSceneExtension(const std::filesystem::path& path) {
+  return io::FormatOf(path) != io::Format::Unknown;
+}
 std::string SceneReference() { return io::SceneReferenceMarkdown(); }
 std::string SceneSchema() { return io::SceneJsonSchema(); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/picture.h"
 
+#include <fmt/format.h>
+
 #include "image/compare.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -51,9 +53,22 @@ std::string KnownPictureExtensions() { return image::KnownWriteExtensions(); }
 
 Picture ReadPicture(const std::filesystem::path& path) { return ToPicture(image::ReadImage(path)); }
 
+Picture CropPicture(const Picture& picture, const std::array<int, 4>& crop) {
+  const auto [x0, y0, x1, y1] = crop;
+  if (x0 < 0 || y0 < 0 || x1 > picture.width || y1 > picture.height || x0 >= x1 || y0 >= y1)
+    throw Error(fmt::format("the crop {},{},{},{} is empty or outside the picture of {}×{} pixels",
+                            x0, y0, x1, y1, picture.width, picture.height));
+  Picture part{x1 - x0, y1 - y0, {}};
+  for (int y = y0; y < y1; ++y) {
+    const auto row = picture.rgb.begin() + 3 * (std::ptrdiff_t(y) * picture.width + x0);
+    part.rgb.insert(part.rgb.end(), row, row + 3 * std::ptrdiff_t(part.width));
+  }
+  return part;
+}
+
 PictureDifference ComparePictures(const Picture& reference, const Picture& test) {
   const image::Comparison c = image::Compare(ToImage(reference), ToImage(test));
-  return {c.rmse, c.relMse, c.psnr, c.maxAbs, c.meanFlip};
+  return {c.rmse, c.relMse, c.psnr, c.maxAbs, c.meanFlip, c.meanReference, c.meanTest};
 }
 
 Picture DifferencePicture(const Picture& reference, const Picture& test) {

@@ -3,6 +3,7 @@
 // Snell's public interface: pictures. Installed as <snell/api/picture.h>.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -40,6 +41,9 @@ SNELL_EXPORT std::string KnownPictureExtensions();
 // Read PNG, JPEG, EXR or HDR, by content. Throws Error.
 SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);
 
+// The pixels [x0, x1) × [y0, y1) of a picture, from the top left. Throws Error if they are not within it.
+SNELL_EXPORT Picture CropPicture(const Picture& picture, const std::array<int, 4>& crop);
+
 // How far a picture is from a reference of the same size: RMSE, relMSE and the largest difference in linear
 // radiance; PSNR and FLIP (Andersson et al. 2020) of the pictures as displayed.
 struct PictureDifference {
@@ -47,7 +51,9 @@ struct PictureDifference {
   double relMse = 0;  // mean of (a − b)² / (a² + 0.01)
   double psnr = 0;    // dB for a peak of 1; infinite for equal pictures
   double maxAbs = 0;
-  double meanFlip = 0;  // 0 equal … 1
+  double meanFlip = 0;       // 0 equal … 1
+  double meanReference = 0;  // linear, of all channels
+  double meanTest = 0;
 };
 
 // Throws Error if the sizes differ.

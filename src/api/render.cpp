@@ -3,8 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "api/film_keeper.h"
+#include "api/film_picture.h"
+#include "api/version.h"
 #include "cpu/render_cpu.h"
+#include "render/noise.h"
 #include "scene/framing.h"
+#include "scene/settings.h"
 #include "scene/validate.h"
 #include "util/text.h"
 #include "util/threads.h"
@@ -29,6 +38,7 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
   settings.spp = options.spp.value_or(settings.spp);
   settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
   settings.minContribution = options.minContribution.value_or(settings.minContribution);
+  settings.clampIndirect = options.clampIndirect.value_or(settings.clampIndirect);
   if (options.integrator) {
     const bool isPath = *options.integrator == "path";
     if (!isPath && *options.integrator != "whitted")
@@ -36,6 +46,7 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
                   "the integrators are: whitted, path");
     settings.integrator = isPath ? scene::Integrator::Path : scene::Integrator::Whitted;
   }
+  scene::Resolve(scene, settings);
   scene::Validate(settings);
   return settings;
 }
@@ -66,9 +77,24 @@ render::PixelRect RectOf(const scene::RenderSettings& settings, const RenderOpti
   return rect;
 }
 
+// [first, last): without a limit where noise or time was asked for instead.
+std::pair<std::uint32_t, std::uint32_t> SamplesOf(scene::RenderSettings& settings,
+                                                  const RenderOptions& options) {
+  if (options.samples) {
+    const auto [first, last] = *options.samples;
+    if (first >= last) throw Error(fmt::format("the range of samples {}:{} is empty", first, last));
+    return {first, last};
+  }
+  constexpr int Most = std::numeric_limits<int>::max();
+  constexpr int MostForNoise = 1 << 16;
+  if (!options.spp && (options.seconds || options.noise))
+    settings.spp = options.seconds ? Most : MostForNoise;
+  return {0, std::uint32_t(settings.spp)};
+}
+
 // Refuse a picture that memory cannot hold before any is taken: the film, and copies for output.
 void CheckMemory(const render::PixelRect& rect) {
-  constexpr std::uint64_t BytesPerPixel = 32 + 12 + 12;
+  constexpr std::uint64_t BytesPerPixel = sizeof(render::Film::Pixel) + 12 + 12;
   const std::uint64_t pixels = std::uint64_t(rect.Width()) * std::uint64_t(rect.Height());
   const std::uint64_t available = AvailableMemoryBytes();
   if (available > 0 && pixels * BytesPerPixel > available)
@@ -78,14 +104,34 @@ void CheckMemory(const render::PixelRect& rect) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
-RenderReport ReportOf(const render::Statistics& statistics, const render::RenderRequest& request,
-                      bool stopped) {
+RenderEnd EndOf(render::End end) {
+  switch (end) {
+    case render::End::Samples: return RenderEnd::Samples;
+    case render::End::Noise: return RenderEnd::Noise;
+    case render::End::Time: return RenderEnd::Time;
+    case render::End::Stopped: return RenderEnd::Stopped;
+  }
+  return RenderEnd::Stopped;
+}
+
+NoiseReport NoiseOf(const render::Film& film, const render::StopConditions& stop) {
+  NoiseReport report;
+  const std::vector<float> errors = render::DisplayErrors(film, stop.noiseScale);
+  for (const float error : errors) {
+    report.rms += double(error) * double(error) / double(errors.size());
+    report.largest = std::max(report.largest, double(error));
+    report.pixels += error > stop.noise ? 1 : 0;
+  }
+  report.rms = std::sqrt(report.rms);
+  return report;
+}
+
+RenderReport ReportOf(const render::Statistics& statistics) {
   RenderReport report;
   report.device = statistics.device;
   report.threads = statistics.threads;
-  report.stopped = stopped;
-  const double pixels = double(request.rect.Width()) * request.rect.Height();
-  report.samplesPerPixel = double(statistics.samples) / pixels;
+  report.end = EndOf(statistics.end);
+  report.stopped = report.end == RenderEnd::Stopped;
   report.cameraRays = statistics.rays.camera;
   report.reflectedRays = statistics.rays.reflected;
   report.refractedRays = statistics.rays.refracted;
@@ -96,6 +142,7 @@ RenderReport ReportOf(const render::Statistics& statistics, const render::Render
   report.sceneBytes = statistics.sceneBytes;
   report.bvhBytes = statistics.bvhBytes;
   report.filmBytes = statistics.filmBytes;
+  report.heldBack = statistics.heldBack;
   report.warnings = statistics.warnings;
   if (statistics.nonFiniteSamples > 0) {
     const render::NonFiniteSample& first = statistics.nonFinite.front();
@@ -120,38 +167,44 @@ RenderReport ReportOf(const render::Statistics& statistics, const render::Render
 
 RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* progress,
                     const StopFlag* stop) {
+  const Timer timer;
   const scene::Scene& contents = scene.contents();
   render::RenderRequest request;
   request.settings = SettingsOf(contents, options);
   request.camera =
       CameraOf(contents, options, double(request.settings.width) / request.settings.height);
   request.rect = RectOf(request.settings, options);
-  request.lastSample = std::uint32_t(request.settings.spp);
-  if (options.samples) {
-    std::tie(request.firstSample, request.lastSample) = *options.samples;
-    if (request.firstSample >= request.lastSample)
-      throw Error(fmt::format("the range of samples {}:{} is empty", request.firstSample,
-                              request.lastSample));
-  }
+  const auto [firstSample, lastSample] = SamplesOf(request.settings, options);
+  request.lastSample = lastSample;
 
   const ThreadLimit limit(options.threads);
   CheckMemory(request.rect);
-  render::Film film(request.rect);
+  FilmKeeper keeper(options.film);
+  render::Film film = keeper.Begin(request.rect, firstSample, request.settings);
+  const double samplesBefore = SamplesPerPixel(film);
+  film.origin().notes = {{"scene", contents.name},
+                         {"exposure", fmt::format("{}", request.settings.exposure)},
+                         {"spp", fmt::format("{}", request.settings.spp)}};
+  request.stop.noise = options.noise.value_or(0);
+  request.stop.noiseScale = std::exp2(double(options.exposure.value_or(request.settings.exposure)));
+  request.wantsOrigin = keeper.Keeps();
+  request.program = "Snell " + Version();
+  request.filmFile = options.film.checkpoint.string();
+  request.save = keeper.Plan();
+  if (options.seconds) request.stop.seconds = *options.seconds - timer.Seconds();
   cpu::CpuRenderer renderer;
   const render::Statistics statistics = renderer.Render(contents, request, film, progress, stop);
 
-  // Hand the picture over as plain floats
-  const image::Image image = film.ToImage();
   RenderResult result;
-  result.picture.width = image.width;
-  result.picture.height = image.height;
-  result.picture.rgb.reserve(image.pixels.size() * 3);
-  for (const kernel::vec3& pixel : image.pixels)
-    result.picture.rgb.insert(result.picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
-  const std::uint64_t asked = std::uint64_t(request.lastSample - request.firstSample) *
-                              std::uint64_t(request.rect.Width()) *
-                              std::uint64_t(request.rect.Height());
-  result.report = ReportOf(statistics, request, statistics.samples < asked);
+  result.picture = PictureOf(film);
+  result.report = ReportOf(statistics);
+  result.report.samplesPerPixel = SamplesPerPixel(film);
+  result.report.resumedSamples = samplesBefore;
+  if (options.noise) result.report.noise = NoiseOf(film, request.stop);
+  keeper.Finish(film, result.report.stopped);
+  result.report.checkpointSaved = keeper.saved();
+  result.report.filmFault = keeper.outputFault();
+  for (const std::string& warning : keeper.warnings()) result.report.warnings.push_back(warning);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +16,16 @@
 
 namespace snell {
 
+// Films: files that hold all that a render has found, to go on with it or to merge it with others
+// (api/merge.h). docs/long-renders.md
+struct FilmOptions {
+  std::filesystem::path
+      checkpoint;                // saved now and then, and when the render is stopped; empty: never
+  double interval = 60;          // seconds between
+  bool resume = false;           // go on with the checkpoint, if there is one
+  std::filesystem::path output;  // saved at the end; empty: not
+};
+
 // Overrides what the scene says; whatever is empty stays as the scene has it.
 struct RenderOptions {
   std::optional<int> width;
@@ -22,20 +33,42 @@ struct RenderOptions {
   std::optional<int> spp;
   std::optional<int> maxDepth;
   std::optional<float> minContribution;
-  std::optional<std::string> integrator;  // "whitted" or "path"
+  std::optional<float> clampIndirect;
+  std::optional<std::string> integrator;  // "whitted" or "path"; else by the materials
   std::optional<std::string> camera;      // by name; else the first one
   std::optional<std::array<int, 4>>
       crop;  // x0, y0, x1, y1 in pixels; the picture has just these pixels
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
-      samples;      // [first, last) instead of [0, spp)
+      samples;  // [first, last) instead of [0, spp)
+  // The render ends at the first of these. With one of them and without `spp`, the scene's spp does not count.
+  std::optional<double> seconds;  // since Render was called; each pixel gets a sample at least
+  std::optional<float> noise;     // standard error of each pixel as it shows, 1 is white; above 0
+  std::optional<float> exposure;  // stops at which that counts; else the scene's
+  FilmOptions film;
   int threads = 0;  // 0: all processors
+};
+
+// Why a render ended.
+enum class RenderEnd { Samples, Noise, Time, Stopped };
+
+// How sure a picture is, where noise was asked for.
+struct NoiseReport {
+  double rms = 0;            // of the pixels' standard errors as they show, 1 is white
+  double largest = 0;        // of them
+  std::uint64_t pixels = 0;  // that have not reached what was asked
 };
 
 struct RenderReport {
   std::string device;
   int threads = 0;
-  bool stopped = false;        // by the stop flag, before all samples were done
-  double samplesPerPixel = 0;  // that were done
+  RenderEnd end = RenderEnd::Samples;
+  bool stopped = false;          // by the stop flag, before all samples were done
+  double samplesPerPixel = 0;    // of the picture, the mean over its pixels
+  double resumedSamples = 0;     // of these, those that were there before
+  bool checkpointSaved = false;  // by this render
+  std::string filmFault;         // why the film at the end could not be saved; "" if it was
+  std::optional<NoiseReport> noise;
+  double heldBack = 0;  // share of all light that clampIndirect has removed
   std::uint64_t cameraRays = 0;
   std::uint64_t reflectedRays = 0;
   std::uint64_t refractedRays = 0;

@@ -37,6 +37,8 @@ struct LoadOptions {
       {};  // bare meshes without normals: crease angle in degrees; 0 = flat
   std::optional<double> time =
       {};  // seconds, of a glTF file's animations; without it everything is at rest
+  // A picture of all directions, equirectangular: stands for the scene's environment and for the studio
+  std::filesystem::path environment = {};
   // Folders that files may be read from besides the scene's own
   std::vector<std::filesystem::path> folders = {};
   std::map<std::string, std::uint64_t> limits = {};  // other values of known limits
@@ -61,6 +63,8 @@ SNELL_EXPORT Scene LoadScene(const std::filesystem::path& path, const LoadOption
 
 // "toml, gltf, glb, nff, pbrt, obj, ply, stl …", for messages.
 SNELL_EXPORT std::string KnownSceneExtensions();
+// Whether the file's extension is one of these.
+SNELL_EXPORT bool HasSceneExtension(const std::filesystem::path& path);
 
 // What is in a scene.
 struct SceneInfo {
@@ -73,6 +77,7 @@ struct SceneInfo {
   int width = 0;
   int height = 0;
   int spp = 0;
+  std::string integrator;
   std::vector<Item> cameras;
   std::vector<Item> lights;
   std::vector<Item> materials;

@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "cpu/wavelength_table.h"
 #include "kernel/albedo.h"
 #include "kernel/bsdf.h"
 #include "kernel/sobol.h"
@@ -96,6 +97,7 @@ std::vector<float> Integrate() {
       tables[TOTAL_INSIDE_ALBEDO + k * Plane + at] = inside.total;
     }
   });
+  FillWavelengthTable(std::span(tables).subspan(WAVELENGTH_TABLE, 4 * WavelengthNodes));
   return tables;
 }
 

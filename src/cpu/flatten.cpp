@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu/flatten.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 #include "bvh/bounds.h"
 #include "cpu/albedo_tables.h"
+#include "cpu/flatten_camera.h"
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_emitters.h"
+#include "cpu/flatten_environment.h"
 #include "cpu/flatten_filter.h"
 #include "cpu/flatten_geometry.h"
+#include "cpu/flatten_light_tree.h"
 #include "cpu/flatten_medium.h"
 #include "cpu/flatten_shading.h"
 #include "cpu/texture_lookup.h"
+#include "scene/settings.h"
 
 namespace snell::cpu {
 
@@ -33,11 +38,9 @@ std::uint64_t FlatScene::TextureBytes() const {
 }
 
 std::uint64_t FlatScene::MemoryBytes() const {
-  return BytesOf(objects) + BytesOf(shapes) + BytesOf(instances) + BytesOf(meshes) +
-         BytesOf(triangles) + BytesOf(positions) + BytesOf(normals) + BytesOf(uvs) +
-         BytesOf(tangents) + BytesOf(colors) + BytesOf(materials) + BytesOf(terms) +
-         BytesOf(physicals) + BytesOf(lights) + BytesOf(albedos) + BytesOf(emitters) +
-         BytesOf(grids) + TextureBytes();
+  std::uint64_t bytes = 0;
+  VisitBuffers([&](const auto& buffer) { bytes += BytesOf(buffer); });
+  return bytes;
 }
 
 Transform ToTransform(const scene::Affine& m) {
@@ -49,69 +52,29 @@ Transform ToTransform(const scene::Affine& m) {
   return {column(0), column(1), column(2), column(3), row(0), row(1), row(2)};
 }
 
-static Camera FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings) {
-  const glm::dvec3 position(camera.position);
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.lookAt) - position);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-  const glm::dvec3 up = glm::cross(right, forward);
-  const double halfHeight = camera.kind == scene::CameraKind::Orthographic
-                                ? double(camera.height) / 2
-                                : std::tan(double(camera.fov) / 2);
-  const double aspect = double(settings.width) / settings.height;
-  Camera flat = {};
-  flat.kind = camera.kind == scene::CameraKind::Orthographic ? CAMERA_ORTHOGRAPHIC : CAMERA_PINHOLE;
-  flat.resolution = {uint(settings.width), uint(settings.height)};
-  flat.position = camera.position;
-  flat.right = vec3(right);
-  flat.up = vec3(up);
-  flat.forward = vec3(forward);
-  flat.extent = vec2(float(halfHeight * aspect), float(halfHeight));
-  return flat;
-}
-
-static Environment FlattenEnvironment(const scene::Environment& environment) {
-  return {environment.bottom, environment.top, std::sin(environment.bottomElevation),
-          std::sin(environment.topElevation), environment.ior};
-}
-
-// What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
-// detail need not smooth again (pbrt-v4, section 10.1.2).
-static void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
-  const float share = std::max(0.125f, 1 / std::sqrt(float(std::max(settings.spp, 1))));
-  const float pixel = 2 * params.camera.extent.y / float(params.camera.resolution.y) * share;
-  const bool isPinhole = params.camera.kind == CAMERA_PINHOLE;
-  params.coneWidth = isPinhole ? 0 : pixel;
-  params.coneSpread = isPinhole ? pixel : 0;
-}
-
-// Whether a ray of the camera may start in the box.
-static bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
-  bvh::Bounds starts;
-  starts.Extend(camera.position);
-  if (camera.kind == CAMERA_ORTHOGRAPHIC) {
-    const vec3 reach = Abs(camera.right) * camera.extent.x + Abs(camera.up) * camera.extent.y;
-    starts = {camera.position - reach * 1.1f, camera.position + reach * 1.1f};
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;
-  }
-  return true;
+// The power of two from the samples per pixel on.
+static uint SamplesLog2(int spp) {
+  return std::min(uint(std::bit_width(uint(std::max(spp, 1) - 1))), 20u);
 }
 
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
                   const scene::Camera& camera) {
   FlatScene flat;
   flat.params = {};
-  flat.params.camera = FlattenCamera(camera, settings);
-  flat.params.environment = FlattenEnvironment(scene.environment);
+  FlattenCamera(camera, settings, flat.params);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
   flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
+  flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
-  FlattenCone(settings, flat.params);
+  flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
+  flat.params.samplesLog2 = SamplesLog2(settings.spp);
+  flat.params.lightSampling =
+      settings.lightSampling == scene::LightSampling::Power ? LIGHTS_BY_POWER : LIGHTS_BY_TREE;
 
+  flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   FlattenMaterials(scene, flat);
   FlattenGrids(scene, flat);
   FlattenLights(scene, flat);
@@ -119,15 +82,21 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));
   flat.finerTriangles = finer.triangles;
   flat.warnings = finer.warnings;
-  flat.integrator = settings.integrator;
-  const bool isPath = settings.integrator == scene::Integrator::Path;
-  if (isPath) flat.albedos = AlbedoTables();
+  const bool isPath = flat.integrator == scene::Integrator::Path;
+  if (isPath) {
+    flat.albedos = AlbedoTables();
+    FlattenClosureTextures(scene, flat);
+  }
   FlattenObjects(scene, finer,
                  isPath                   ? ShadowRays::Path
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
                  flat);
-  if (isPath) FlattenEmitters(flat);
+  if (isPath) {
+    FlattenEmitters(flat);
+    FlattenLightTree(flat);
+  }
+  FlattenEnvironment(scene.environment, flat);
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

@@ -37,12 +37,21 @@ struct FlatScene {
   std::vector<kernel::Light> lights;
   std::vector<kernel::Emitter> emitters;  // of the path tracer, as the next; empty for others
   std::vector<float> albedos;
+  std::vector<kernel::LightNode> lightNodes;
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these
 
   // Views for the BVH; this scene must not move while they are used.
   bvh::Geometry Geometry();
+  // Call `visit` with each of the arrays above.
+  template <class Visit>
+  void VisitBuffers(Visit visit) const {
+    visit(objects), visit(shapes), visit(instances), visit(meshes), visit(triangles);
+    visit(positions), visit(normals), visit(uvs), visit(tangents), visit(colors);
+    visit(materials), visit(terms), visit(physicals), visit(lights), visit(albedos);
+    visit(emitters), visit(lightNodes), visit(textures), visit(images), visit(texels), visit(grids);
+  }
   std::uint64_t MemoryBytes() const;
   std::uint64_t TextureBytes() const;  // of these: textures and their pictures
 };

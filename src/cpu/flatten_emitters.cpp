@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpu/flatten_emitters.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "kernel/transform.h"
 
 namespace snell::cpu {
@@ -9,44 +12,63 @@ using namespace kernel;
 
 namespace {
 
-double AreaOf(const FlatScene& flat, const Triangle& triangle, const Transform* toWorld) {
+float AreaOf(const FlatScene& flat, const Triangle& triangle, const Transform* toWorld) {
   vec3 corners[3] = {flat.positions[triangle.v0], flat.positions[triangle.v1],
                      flat.positions[triangle.v2]};
   if (toWorld) {
     for (vec3& corner : corners) corner = ToWorldPoint(*toWorld, corner);
   }
-  return 0.5 * double(Length(Cross(corners[1] - corners[0], corners[2] - corners[0])));
+  return 0.5f * Length(Cross(corners[1] - corners[0], corners[2] - corners[0]));
+}
+
+float AreaOf(const Shape& shape) {
+  switch (shape.kind) {
+    case SHAPE_SPHERE: return Pi * Sqr(shape.a);
+    case SHAPE_DISK:
+      return Pi * (1 - Sqr(shape.a)) * Length(Cross(shape.toWorld.x, shape.toWorld.z));
+    case SHAPE_RECTANGLE: return Length(Cross(shape.toWorld.x, shape.toWorld.z));
+  }
+  return 0;
+}
+
+bool Glows(const FlatScene& flat, uint object) {
+  return object != None && !IsBlack(flat.materials[flat.objects[object].material].emission);
+}
+
+// The emitters of an object's triangles.
+void AddTriangles(uint object, uint instance, uint first, uint count, FlatScene& flat) {
+  const std::size_t begin = flat.emitters.size();
+  flat.objects[object].emitters = uint(begin) - first;
+  flat.emitters.resize(begin + count);
+  const Transform* toWorld = instance == None ? nullptr : &flat.instances[instance].toWorld;
+  tbb::parallel_for(tbb::blocked_range<uint>(0, count, 4096), [&](const auto& part) {
+    for (uint i = part.begin(); i < part.end(); ++i)
+      flat.emitters[begin + i] = {first + i, instance, None,
+                                  AreaOf(flat, flat.triangles[first + i], toWorld)};
+  });
 }
 
 }  // namespace
 
 void FlattenEmitters(FlatScene& flat) {
-  std::vector<double> powers;
-  const auto add = [&](uint index, uint object, uint instance, const Transform* toWorld) {
-    const Object& of = flat.objects[object];
-    const float brightness = MaxChannel(flat.materials[of.material].emission);
-    if (brightness <= 0 || (of.mask & MASK_SECONDARY) == 0 || of.light != None) return;
-    const double power = AreaOf(flat, flat.triangles[index], toWorld) * double(brightness);
-    if (!(power > 0)) return;
-    flat.emitters.push_back({index, instance, 0});
-    powers.push_back(power);
-  };
-  for (uint i = 0; i < flat.worldTriangles; ++i)
-    add(i, flat.meshes[flat.triangles[i].mesh].object, None, nullptr);
-  for (uint k = 0; k < flat.instances.size(); ++k) {
-    const Instance& instance = flat.instances[k];
-    if (IsBlack(flat.materials[flat.objects[instance.object].material].emission)) continue;
-    for (uint i = 0; i < instance.triangleCount; ++i)
-      add(instance.firstTriangle + i, instance.object, k, &instance.toWorld);
+  // Those of one mesh follow each other
+  for (uint first = 0, last = 0; first < flat.worldTriangles; first = last) {
+    const uint mesh = flat.triangles[first].mesh;
+    while (last < flat.worldTriangles && flat.triangles[last].mesh == mesh) ++last;
+    const uint object = flat.meshes[mesh].object;
+    if (Glows(flat, object)) AddTriangles(object, None, first, last - first, flat);
   }
-
-  double sum = 0;
-  for (const double power : powers) sum += power;
-  double soFar = 0;
-  for (std::size_t i = 0; i < powers.size(); ++i)
-    flat.emitters[i].last = float((soFar += powers[i]) / sum);
-  flat.params.emitterCount = uint(flat.emitters.size());
-  flat.params.emitterPower = float(sum);
+  for (uint i = 0; i < flat.instances.size(); ++i) {
+    const Instance& instance = flat.instances[i];
+    if (Glows(flat, instance.object))
+      AddTriangles(instance.object, i, instance.firstTriangle, instance.triangleCount, flat);
+  }
+  for (uint i = 0; i < flat.shapes.size(); ++i) {
+    const Shape& shape = flat.shapes[i];
+    if (!Glows(flat, shape.object)) continue;
+    flat.objects[shape.object].emitters = uint(flat.emitters.size()) - i;
+    flat.emitters.push_back({i, INSTANCE_SHAPE, None, AreaOf(shape)});
+  }
 }
 
 }  // namespace snell::cpu

@@ -217,7 +217,7 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
     flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None,
-                            ToTransform(object.toWorld)});
+                            ToTransform(object.toWorld), 0});
     if (finer.meshOf[i] >= 0) ++uses[std::size_t(finer.meshOf[i])];
   }
 

@@ -57,7 +57,7 @@ Medium InsideOf(const scene::OpenPbr& physical) {
   if (!(depth > 0)) return flat;
   flat.scattering = physical.transmissionScatter / depth;
   flat.anisotropy = PhaseAnisotropy(physical.transmissionScatterAnisotropy);
-  const Spectrum lost = Extinction(physical.transmissionColor, depth);
+  const Spectrum lost = Extinction(physical.transmissionColor.value, depth);
   const Spectrum absorbed = lost - flat.scattering;
   const float least = std::min({absorbed.x, absorbed.y, absorbed.z, 0.0f});
   flat.extinction = lost - least;

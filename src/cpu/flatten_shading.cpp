@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "cpu/flatten_closure.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_medium.h"
 #include "cpu/flatten_texture.h"
@@ -145,6 +146,25 @@ bool HasSurface(const scene::Light& light) {
 
 }  // namespace
 
+// Exactly along the tangent where there is no rotation.
+static vec2 AxisOf(float rotation) {
+  return rotation == 0 ? vec2(1, 0) : vec2(std::cos(rotation), std::sin(rotation));
+}
+
+static vec2 NormalScale(const scene::ReliefMap& map) {
+  return {map.scale, map.scale * (map.flipGreen ? -1 : 1)};
+}
+
+// Cauchy's B, in µm², by Abbe's number (OpenPBR 1.1, section on the translucent base). No index falls below 1 at 780 nm.
+static float Dispersion(const scene::OpenPbr& from) {
+  constexpr float DLine = 1 / (0.5876f * 0.5876f), FLine = 1 / (0.4861f * 0.4861f),
+                  CLine = 1 / (0.6563f * 0.6563f), Red = 1 / (0.78f * 0.78f);
+  const float excess = from.specularIor - 1;
+  if (excess <= 0 || from.transmissionDispersionScale <= 0) return 0;
+  const float abbe = from.transmissionDispersionAbbeNumber / from.transmissionDispersionScale;
+  return excess / std::max(abbe * (FLine - CLine), DLine - Red);
+}
+
 static Physical FlattenPhysical(const scene::OpenPbr& from) {
   Physical physical = {};
   physical.baseColor = from.baseColor.value * from.baseWeight;
@@ -153,7 +173,8 @@ static Physical FlattenPhysical(const scene::OpenPbr& from) {
   physical.specularColor = from.specularColor.value;
   physical.roughness = Source(from.specularRoughness);
   physical.transmission = Source(from.transmissionWeight);
-  physical.transmissionColor = from.transmissionDepth > 0 ? Spectrum(1.0f) : from.transmissionColor;
+  physical.transmissionColor =
+      from.transmissionDepth > 0 ? Spectrum(1.0f) : from.transmissionColor.value;
   physical.coatWeight = Source(from.coatWeight);
   physical.coatRoughness = Source(from.coatRoughness);
   physical.coatIor = from.coatIor;
@@ -161,57 +182,25 @@ static Physical FlattenPhysical(const scene::OpenPbr& from) {
   physical.fuzzColor = from.fuzzColor.value;
   physical.fuzzRoughness = Source(from.fuzzRoughness);
   physical.diffuseRoughness = std::clamp(from.baseDiffuseRoughness, 0.0f, 1.0f);
-  physical.anisotropy = std::clamp(from.specularRoughnessAnisotropy.value, 0.0f, 0.99f);
+  physical.anisotropy = Source(from.specularRoughnessAnisotropy);
+  physical.anisotropyModel = from.anisotropyOfGltf ? ANISOTROPY_GLTF : ANISOTROPY_OPENPBR;
+  physical.anisotropyMapped =
+      from.anisotropyMapped && from.specularRoughnessAnisotropy.texture >= 0 ? 1 : 0;
+  physical.anisotropyAxis = AxisOf(from.anisotropyRotation);
   physical.coatColor = from.coatColor.value;
   physical.coatDarkening = from.coatDarkening;
-  physical.diffuseTransmission = from.diffuseTransmissionWeight.value;
+  physical.coatAnisotropy = std::clamp(from.coatRoughnessAnisotropy, 0.0f, 0.99f);
+  physical.coatNormalScale = NormalScale(from.coatNormal);
+  physical.filmWeight = Source(from.thinFilmWeight);
+  physical.filmThickness = Source(from.thinFilmThickness);
+  physical.filmThicknessLeast = from.thinFilmThicknessLeast;
+  physical.filmIor = from.thinFilmIor;
+  physical.diffuseTransmission = Source(from.diffuseTransmissionWeight);
   physical.diffuseTransmissionColor = from.diffuseTransmissionColor.value;
   FlattenSubsurface(from, physical);
   physical.metalColor = physical.baseColor;
-  physical.tintByBase = 1;
+  physical.tintByBase = from.transmissionTintedByBase ? 1 : 0;
   physical.metalByBase = 1;
-  return physical;
-}
-
-// What the path tracer takes a classic material for: its diffuse terms together are the base's albedo, its strongest
-// specular term tells the roughness, its reflectivity is that of a smooth metal, its transparency is transmission.
-static Physical PhysicalOf(const scene::Material& classic) {
-  Physical physical = {};
-  physical.coatIor = 1.5f;
-  physical.coatColor = physical.fuzzColor = physical.specularColor = Spectrum(1.0f);
-  physical.roughness.value = 1;
-  for (const scene::Term& term : classic.terms) {
-    if (term.kind == scene::TermKind::Diffuse) physical.baseColor += term.color.value;
-    if (term.kind != scene::TermKind::Phong && term.kind != scene::TermKind::Blinn) continue;
-    // The widths at which the lobes' falls from their peaks agree
-    const float exponent = term.kind == scene::TermKind::Phong ? 4 * term.exponent : term.exponent;
-    physical.roughness.value =
-        std::min(physical.roughness.value, std::pow(2 / (exponent + 2), 0.25f));
-    physical.specularWeight.value = 1;
-  }
-  const float mirror = MaxChannel(classic.reflectivity.value);
-  const float clear = MaxChannel(classic.transparency.value);
-  if (mirror > 0) {
-    const bool isSchlick = classic.reflection == scene::ReflectionModel::Schlick;
-    if (classic.reflection == scene::ReflectionModel::Fresnel || (isSchlick && mirror < 0.5f)) {
-      // A clear layer, for Schlick one of the index that gives the reflectance
-      const float normal = Sqr((classic.ior - 1) / (classic.ior + 1));
-      physical.specularWeight.value = isSchlick && normal > 0 ? mirror / normal : mirror;
-      physical.specularColor = classic.reflectivity.value / mirror;
-    } else {
-      physical.metalness.value = isSchlick ? 1.0f : std::min(mirror, 1.0f);
-      physical.metalColor = classic.reflectivity.value / (isSchlick ? 1.0f : mirror);
-      physical.specularWeight.value = 1;
-    }
-  }
-  if (clear > 0) {
-    physical.transmission.value = std::min(clear, 1.0f);
-    physical.transmissionColor = classic.transparency.value / clear;
-  }
-  if (mirror > 0 || clear > 0) {
-    physical.roughness.value = 0;
-    if (clear > 0) physical.specularWeight.value = 1;
-  }
   return physical;
 }
 
@@ -245,6 +234,15 @@ static void FlattenRoles(const scene::Material& from, Material& m) {
   set(ROLE_FUZZ_ROUGHNESS, physical.fuzzRoughness.texture);
   set(ROLE_SUBSURFACE, physical.subsurfaceWeight.texture);
   set(ROLE_SUBSURFACE_COLOR, physical.subsurfaceColor.texture);
+  set(ROLE_ANISOTROPY, physical.specularRoughnessAnisotropy.texture);
+  if (physical.transmissionDepth <= 0)
+    set(ROLE_TRANSMISSION_COLOR, physical.transmissionColor.texture);
+  set(ROLE_COAT_COLOR, physical.coatColor.texture);
+  set(ROLE_COAT_NORMAL, physical.coatNormal.texture);
+  set(ROLE_FILM_WEIGHT, physical.thinFilmWeight.texture);
+  set(ROLE_FILM_THICKNESS, physical.thinFilmThickness.texture);
+  set(ROLE_DIFFUSE_TRANSMISSION, physical.diffuseTransmissionWeight.texture);
+  set(ROLE_DIFFUSE_TRANSMISSION_COLOR, physical.diffuseTransmissionColor.texture);
 }
 
 static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
@@ -257,8 +255,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   m.alphaMode = FlattenAlpha(from.alphaMode);
   m.opacity = Source(from.opacity);
   m.alphaCutoff = from.alphaCutoff;
-  m.normalScale = {from.normalMap.scale,
-                   from.normalMap.scale * (from.normalMap.flipGreen ? -1 : 1)};
+  m.normalScale = NormalScale(from.normalMap);
   m.bumpMap = Index(from.bumpMap.texture);
   m.bumpScale = from.bumpMap.scale;
   m.physical = None;
@@ -268,12 +265,13 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
     m.physical = m.closure = uint(flat.physicals.size());
     flat.physicals.push_back(FlattenPhysical(physical));
     m.ior = physical.specularIor;
+    m.dispersion = Dispersion(physical);
     m.inside = InsideOf(physical);
     m.emission = physical.emission.value;
     return m;
   }
   m.closure = uint(flat.physicals.size());
-  flat.physicals.push_back(PhysicalOf(from));
+  flat.physicals.push_back(ClosureOf(from));
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;
@@ -301,19 +299,25 @@ void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
     flat.materials.push_back(FlattenMaterial(material, flat));
 }
 
+// Whether rays that meet the light see what sampling it gives.
+static bool IsFound(const scene::Light& light, scene::Integrator integrator, bool isSun) {
+  if (!light.visible) return false;
+  if (light.kind == scene::LightKind::Directional)
+    return light.angularSize > 0 && (integrator == scene::Integrator::Path || isSun);
+  return HasSurface(light) && light.range <= 0 && light.falloff == scene::Falloff::InverseSquare;
+}
+
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
+    const bool isSun = scene.environment.sun == int(&light - scene.lights.data());
     if (light.kind == scene::LightKind::Ambient) {
       flat.params.ambient += light.color * light.strength;
       continue;
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
-    flat.lights.back().found = light.visible && HasSurface(light) && light.range <= 0 &&
-                                       light.falloff == scene::Falloff::InverseSquare
-                                   ? 1
-                                   : 0;
+    flat.lights.back().found = IsFound(light, flat.integrator, isSun) ? 1 : 0;
 
     if (!light.visible || !HasSurface(light)) continue;
     if (lightMaterial == None) {
@@ -328,7 +332,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint object = uint(flat.objects.size());
     flat.objects.push_back(
-        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0))});
+        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0)), 0});
     AppendSurface(light, object, flat);
   }
   flat.params.lightCount = uint(flat.lights.size());

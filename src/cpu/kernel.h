@@ -35,6 +35,7 @@ struct Kernel {
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const LightNode* lightNodes;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
 
@@ -45,13 +46,20 @@ struct Kernel {
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/path.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
+#include "kernel/path_sample.h"
 #include "kernel/path_shadow.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
+#include "kernel/scene_frame.h"
 #include "kernel/scene_grid.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"

@@ -67,14 +67,13 @@ scene::Scene SpheresOnPlane() {
   return scene;
 }
 
-RenderRequest RequestOf(const scene::Scene& scene, std::uint32_t first, std::uint32_t last,
-                        PixelRect rect = Whole) {
-  return {scene.settings, scene.cameras.at(0), rect, first, last};
+RenderRequest RequestOf(const scene::Scene& scene, std::uint32_t last, PixelRect rect = Whole) {
+  return {scene.settings, scene.cameras.at(0), rect, last};
 }
 
 Film Rendered(const scene::Scene& scene, std::uint32_t samples, PixelRect rect = Whole) {
   Film film(rect);
-  CpuRenderer().Render(scene, RequestOf(scene, 0, samples, rect), film, nullptr, nullptr);
+  CpuRenderer().Render(scene, RequestOf(scene, samples, rect), film, nullptr, nullptr);
   return film;
 }
 
@@ -111,8 +110,8 @@ TEST(CpuRenderer, GivesTheSameFilmInParts) {
   const Film whole = Rendered(scene, 6);
   // Samples in two goes
   Film film(Whole);
-  CpuRenderer().Render(scene, RequestOf(scene, 0, 1), film, nullptr, nullptr);
-  CpuRenderer().Render(scene, RequestOf(scene, 1, 6), film, nullptr, nullptr);
+  CpuRenderer().Render(scene, RequestOf(scene, 1), film, nullptr, nullptr);
+  CpuRenderer().Render(scene, RequestOf(scene, 6), film, nullptr, nullptr);
   EXPECT_EQ(Difference(film, whole), 0);
   // A part of the picture, and single pixels
   for (const PixelRect rect : {PixelRect{11, 7, 60, 33}, PixelRect{0, 0, 1, 1}, {69, 49, 70, 50}})
@@ -161,7 +160,7 @@ TEST(CpuRenderer, ReportsProgressAndWhatItDid) {
   Film film(Whole);
   Watcher watcher;
   const Statistics s =
-      CpuRenderer().Render(scene, RequestOf(scene, 0, 5), film, &watcher, &watcher.flag);
+      CpuRenderer().Render(scene, RequestOf(scene, 5), film, &watcher, &watcher.flag);
   const std::uint64_t samples = 70 * 50 * 5;
   EXPECT_EQ(watcher.log, "building end rendering end ");
   EXPECT_EQ(watcher.totalSteps, samples);
@@ -187,7 +186,7 @@ TEST(CpuRenderer, LeavesASoundFilmWhenStopped) {
     Film film(Whole);
     Watcher watcher(stopAt);
     const Statistics s =
-        CpuRenderer().Render(scene, RequestOf(scene, 0, 40), film, &watcher, &watcher.flag);
+        CpuRenderer().Render(scene, RequestOf(scene, 40), film, &watcher, &watcher.flag);
     EXPECT_EQ(watcher.log, "building end rendering end ");
     EXPECT_LT(s.samples, 70u * 50 * 40);
     std::uint64_t samples = 0;
@@ -211,8 +210,8 @@ TEST(CpuRenderer, LeavesASoundFilmWhenStopped) {
       for (int x = 0; x < 70; x += 7) {
         const PixelRect pixel{x, y, x + 1, y + 1};
         Film rest(pixel);
-        CpuRenderer().Render(scene, RequestOf(scene, 0, film.SampleCount(x, y), pixel), rest,
-                             nullptr, nullptr);
+        CpuRenderer().Render(scene, RequestOf(scene, film.SampleCount(x, y), pixel), rest, nullptr,
+                             nullptr);
         EXPECT_EQ(Difference(rest, film), 0);
       }
     }
@@ -225,7 +224,7 @@ TEST(CpuRenderer, DoesNothingWhenStoppedBefore) {
   Film film(Whole);
   StopFlag stop;
   stop.Raise();
-  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 0, 8), film, nullptr, &stop);
+  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 8), film, nullptr, &stop);
   EXPECT_EQ(s.samples, 0u);
   for (const Spectrum& pixel : film.ToImage().pixels) EXPECT_EQ(pixel, Spectrum(0.0f));
 }
@@ -241,7 +240,7 @@ TEST(CpuRenderer, CountsAndLocatesRadianceThatIsNotFinite) {
   scene.materials[0].terms[0].color = {Spectrum(1.0f), -1};
   scene::Validate(scene, nullptr);
   Film film(Whole);
-  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 0, 2), film, nullptr, nullptr);
+  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 2), film, nullptr, nullptr);
   EXPECT_GT(s.nonFiniteSamples, 100u);
   EXPECT_EQ(s.samples, 70u * 50 * 2);
   ASSERT_FALSE(s.nonFinite.empty());
@@ -251,9 +250,9 @@ TEST(CpuRenderer, CountsAndLocatesRadianceThatIsNotFinite) {
   // The place is one where the sample is not finite when it is rendered alone
   const render::NonFiniteSample at = s.nonFinite.front();
   const PixelRect pixel{at.x, at.y, at.x + 1, at.y + 1};
-  Film alone(pixel);
-  const Statistics again = CpuRenderer().Render(
-      scene, RequestOf(scene, at.sample, at.sample + 1, pixel), alone, nullptr, nullptr);
+  Film alone(pixel, at.sample);
+  const Statistics again =
+      CpuRenderer().Render(scene, RequestOf(scene, at.sample + 1, pixel), alone, nullptr, nullptr);
   EXPECT_EQ(again.nonFiniteSamples, 1u);
 }
 
@@ -269,7 +268,7 @@ TEST(CpuRenderer, LeavesOutTrianglesThatAreNowhere) {
   object.material = 0;
   scene.objects.push_back(object);
   Film film(Whole);
-  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 0, 1), film, nullptr, nullptr);
+  const Statistics s = CpuRenderer().Render(scene, RequestOf(scene, 1), film, nullptr, nullptr);
   EXPECT_EQ(s.droppedPrimitives, 1u);
   EXPECT_EQ(s.nonFiniteSamples, 0u);
 }

@@ -25,7 +25,7 @@ struct TextureKernel {
 tessellate::TextureLookup LookupIn(const FlatScene& flat) {
   return [&flat](scene::TextureIndex index, int channel, const tessellate::TexturePoint& point) {
     // The point is where the texture wants it already
-    static const Object here = {0, 0, None, ToTransform(scene::Affine(1.0))};
+    static const Object here = {0, 0, None, ToTransform(scene::Affine(1.0)), 0};
     TextureKernel kernel = {&here, flat.textures.data(), flat.images.data(), flat.texels.data()};
     const Texture& texture = flat.textures[std::size_t(index)];
     SurfaceInteraction it = {};

@@ -36,7 +36,7 @@ static double Shown(float linear) {
 Comparison Compare(const Image& reference, const Image& test) {
   CheckSizes(reference, test);
   Comparison result;
-  double squares = 0, relativeSquares = 0, shownSquares = 0;
+  double squares = 0, relativeSquares = 0, shownSquares = 0, ofReference = 0, ofTest = 0;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     const vec3 r = reference.Premultiplied(i), t = test.Premultiplied(i);
     if (!IsFinite(r) || !IsFinite(t)) ++result.notFinite;
@@ -46,6 +46,8 @@ Comparison Compare(const Image& reference, const Image& test) {
       const double shown =
           std::isfinite(difference) ? Shown(t[channel]) - Shown(r[channel]) : difference;
       squares += difference * difference;
+      ofReference += double(r[channel]);
+      ofTest += double(t[channel]);
       relativeSquares += difference * difference / (level * level + 0.01);
       shownSquares += shown * shown;
       if (std::fabs(difference) > result.maxAbs) {
@@ -56,6 +58,8 @@ Comparison Compare(const Image& reference, const Image& test) {
     }
   }
   const double samples = 3.0 * double(reference.pixels.size());
+  result.meanReference = ofReference / samples;
+  result.meanTest = ofTest / samples;
   result.rmse = std::sqrt(squares / samples);
   result.relMse = relativeSquares / samples;
   result.psnr = -10 * std::log10(shownSquares / samples);

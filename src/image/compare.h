@@ -20,6 +20,8 @@ struct Comparison {
   double maxAbs = 0;  // largest absolute difference of a channel, linear
   int maxX = 0;       // the pixel where that is, from the top left
   int maxY = 0;
+  double meanReference = 0;  // of all channels, linear
+  double meanTest = 0;
   double meanFlip = 0;          // mean FLIP error (flip.h), 0 to 1
   std::uint64_t notFinite = 0;  // pixels that hold a NaN or an infinity in either picture
 };

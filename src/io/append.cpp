@@ -11,15 +11,15 @@ namespace {
 // Every texture that a material shows.
 template <typename Visit>
 void VisitTextures(scene::OpenPbr& m, const Visit& visit) {
-  for (scene::ColorInput* input : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
-                                   &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+  for (scene::ColorInput* input :
+       {&m.baseColor, &m.specularColor, &m.transmissionColor, &m.diffuseTransmissionColor,
+        &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
     visit(input->texture);
   for (scene::ScalarInput* input :
        {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
         &m.transmissionWeight, &m.diffuseTransmissionWeight, &m.subsurfaceWeight, &m.coatWeight,
         &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight, &m.thinFilmThickness})
     visit(input->texture);
-  visit(m.anisotropyDirection);
   visit(m.coatNormal.texture);
 }
 

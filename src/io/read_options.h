@@ -36,6 +36,9 @@ struct ReadOptions {
   std::string scene = {};           // by name; empty: the file's default
   std::string variant = {};         // of the materials; empty: the default ones
 
+  // A map (kernel/environment.h) that replaces what surrounds the scene; the caller vouches for its place
+  std::filesystem::path environment = {};
+
   ReadLimits limits = {};
   // Folders that files may be read from besides the file's own.
   std::vector<std::filesystem::path> folders = {};

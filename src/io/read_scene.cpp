@@ -7,6 +7,7 @@
 #include "io/contents.h"
 #include "io/format.h"
 #include "io/gltf/gltf.h"
+#include "io/images.h"
 #include "scene/framing.h"
 #include "scene/validate.h"
 #include "util/file.h"
@@ -35,16 +36,16 @@ static void GiveMaterials(scene::Scene& scene) {
   }
 }
 
-static void SetUpMeshes(scene::Scene& scene, bool zUp) {
+static void SetUpMeshes(scene::Scene& scene, bool zUp, bool wantsStudio) {
   GiveMaterials(scene);
   if (zUp)
     for (scene::Object& object : scene.objects) object.toWorld = ZUpToYUp();
-  scene::AddStudio(scene);
+  if (wantsStudio) scene::AddStudio(scene);
 }
 
-static void SetUpGltf(scene::Scene& scene) {
+static void SetUpGltf(scene::Scene& scene, bool wantsStudio) {
   if (scene.lights.empty()) {
-    if (!scene.objects.empty()) scene::AddStudio(scene);
+    if (!scene.objects.empty() && wantsStudio) scene::AddStudio(scene);
     return;
   }
   // Expose for the file's lights, which are in lumens: a matt white surface under π lux comes out white. What
@@ -55,6 +56,23 @@ static void SetUpGltf(scene::Scene& scene) {
   }
 }
 
+// Put the map around the scene in place of its surroundings.
+static void ReplaceEnvironment(scene::Scene& scene, const ReadOptions& options, Format format) {
+  scene::Environment& environment = scene.environment;
+  if (environment.sun >= 0) scene.lights.erase(scene.lights.begin() + environment.sun);
+  const float ior = environment.ior;
+  environment = {};
+  environment.ior = ior;
+  environment.map = scene::ImageIndex(scene.images.size());
+  environment.ambient = true;
+  // The map is not in the file's unit of light
+  if (format == Format::Gltf)
+    environment.mapScale = scene::Spectrum(std::exp2(-scene.settings.exposure));
+  scene.images.push_back(DecodeTexels(ReadWithin(options.environment, options.limits),
+                                      options.environment.string(), ImageUse::Color,
+                                      options.limits));
+}
+
 scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& options,
                        const WarningSink& warn) {
   Contents contents = ReadContents(path, options, warn);
@@ -62,13 +80,15 @@ scene::Scene ReadScene(const std::filesystem::path& path, const ReadOptions& opt
   if (options.time && !contents.animated && warn)
     warn({"there are no animations: the time changes nothing", {path.string()}});
   const Format format = FormatOf(path);
-  if (format == Format::Gltf) SetUpGltf(scene);
+  const bool wantsStudio = options.environment.empty();
+  if (format == Format::Gltf) SetUpGltf(scene, wantsStudio);
   if (format == Format::Mesh)
-    SetUpMeshes(scene, options.zUp.value_or(LowerExtension(path) == "stl"));
+    SetUpMeshes(scene, options.zUp.value_or(LowerExtension(path) == "stl"), wantsStudio);
   if (format == Format::Other) {
     GiveMaterials(scene);
-    if (scene.lights.empty()) scene::AddStudio(scene);
+    if (scene.lights.empty() && wantsStudio) scene::AddStudio(scene);
   }
+  if (!wantsStudio) ReplaceEnvironment(scene, options, format);
   scene.name = path.string();
   scene::Validate(scene, warn);
   return std::move(scene);

@@ -23,7 +23,11 @@ CONST uint REFLECTED_ALBEDO = 512u;
 CONST uint REFLECTED_INSIDE_ALBEDO = 4608u;
 CONST uint TOTAL_ALBEDO = 8704u;
 CONST uint TOTAL_INSIDE_ALBEDO = 12800u;
-CONST uint AlbedoCount = 16896u;
+// Wavelengths by their share of all that are chosen: at every node 1/λ² − 1/λ² of the index of refraction (587.6 nm), in
+// 1/µm², and the weights of red, green and blue (path_wavelength.h).
+CONST uint WAVELENGTH_TABLE = 16896u;
+CONST uint WavelengthNodes = 65u;
+CONST uint AlbedoCount = 17156u;
 
 // The contrast of two indices, in [0, 1]: 1 stands for a ratio of 3 and more.
 FN float AlbedoContrast(float eta) {

@@ -13,6 +13,7 @@
 #include "kernel/fresnel.h"
 #include "kernel/microfacet.h"
 #include "kernel/sampling.h"
+#include "kernel/thin_film.h"
 #include "kernel/types.h"
 
 KERNEL_BEGIN
@@ -23,7 +24,8 @@ struct Bsdf {
   float etaFresnel;  // the same, as Fresnel's equations take it: changed by the specular weight
   float metalness;
   Spectrum metalF0;            // conductor: reflectance at normal incidence,
-  Spectrum metalTint;          // and by how much it falls short of Schlick's at 82°
+  Spectrum metalTint;          // by how much it falls short of Schlick's at 82°,
+  float metalWeight;           // and what is left of all of it
   Spectrum metalScale;         // gives back the conductor's lost energy
   Spectrum reflectionScale;    // the dielectric's reflection: tint, lost energy
   Spectrum transmissionScale;  // its refraction; 0 for an opaque base
@@ -33,10 +35,19 @@ struct Bsdf {
   Spectrum subsurface;           // what enters the body to wander there,
   Spectrum subsurfaceColor;      // and what comes back of it
   uint thin;                     // 1: what is refracted goes straight on
+  float film;                    // weight of a thin film on the base,
+  float filmEta;                 // its index over that of wo's side,
+  float filmPath;                // and twice its thickness times its index, micrometres
+  Spectrum metalEta;             // index of the conductor below it over that of wo's side,
+  Spectrum metalK;               // and its imaginary part
   float coat;                    // weight
+  float coatScale;               // of its reflection
+  uint coatTilted;               // 1: its frame is not that of the base,
+  vec3 coatX;                    // but has these axes
+  vec3 coatZ;
   vec2 coatAlpha;
   float coatEta;
-  Spectrum coatTint;   // of light that crosses the coat once at normal incidence
+  Spectrum coatTint;   // of light that crosses the coat twice at normal incidence
   Spectrum underCoat;  // what the coat leaves to the base, but for its tint
   Spectrum fuzz;
   float fuzzAlpha;
@@ -48,6 +59,15 @@ struct Bsdf {
   float pickDiffuseTransmission;
   float pickSubsurface;
   float pickFuzz;
+};
+
+// From where a surface is seen.
+struct BsdfView {
+  vec3 wo;          // the direction, in the base's frame,
+  vec3 coatNormal;  // as is this
+  float eta;        // the index of what lies behind over that of wo's side,
+  float nearIor;    // and the latter
+  uint outside;     // 1: wo is on the side where coat and fuzz are
 };
 
 struct BsdfSample {
@@ -81,6 +101,7 @@ FN Bsdf DiffuseBsdf(Spectrum albedo) {
   b.metalness = 0.0f;
   b.metalF0 = zero;
   b.metalTint = one;
+  b.metalWeight = 0.0f;
   b.metalScale = one;
   b.reflectionScale = zero;
   b.transmissionScale = zero;
@@ -90,7 +111,16 @@ FN Bsdf DiffuseBsdf(Spectrum albedo) {
   b.subsurface = zero;
   b.subsurfaceColor = zero;
   b.thin = 0u;
+  b.film = 0.0f;
+  b.filmEta = 1.0f;
+  b.filmPath = 0.0f;
+  b.metalEta = one;
+  b.metalK = zero;
   b.coat = 0.0f;
+  b.coatScale = 0.0f;
+  b.coatTilted = 0u;
+  b.coatX = vec3(1.0f, 0.0f, 0.0f);
+  b.coatZ = vec3(0.0f, 0.0f, 1.0f);
   b.coatAlpha = vec2(0.0f, 0.0f);
   b.coatEta = 1.0f;
   b.coatTint = one;
@@ -134,45 +164,84 @@ FN float FrOfEta(float cosine, float eta) {
   return FrDielectric(cosine, RefractedCosine(cosine, eta), eta);
 }
 
-// What the base sends back, and lets through, per microfacet whose normal makes this cosine with wo.
-FN Spectrum BaseReflectance(IN(Bsdf) b, float cosine) {
-  Spectrum metal = FrConductorF82(b.metalF0, b.metalTint, cosine) * b.metalScale;
-  float fresnel = FrOfEta(cosine, b.etaFresnel);
-  if (b.thin == 1u) fresnel = 2.0f * fresnel / (1.0f + fresnel);
-  // What cannot be refracted is reflected
-  if (b.thin == 0u && RefractedCosine(cosine, b.eta) < 0.0f) fresnel = 1.0f;
-  return metal * b.metalness + b.reflectionScale * ((1.0f - b.metalness) * fresnel);
+// What the base's boundary reflects, before its energy is put right: as a metal,
+FN Spectrum MetalFresnel(IN(Bsdf) b, float cosine) {
+  Spectrum metal = FrConductorF82(b.metalF0, b.metalTint, cosine);
+  if (b.film > 0.0f)
+    metal =
+        Lerp(b.film, metal, FrFilmOnConductor(cosine, b.filmEta, b.filmPath, b.metalEta, b.metalK));
+  return metal * b.metalWeight;
 }
-FN Spectrum BaseTransmittance(IN(Bsdf) b, float cosine) {
-  float fresnel = FrOfEta(cosine, b.etaFresnel);
-  if (b.thin == 1u) fresnel = 2.0f * fresnel / (1.0f + fresnel);
-  if (b.thin == 0u && RefractedCosine(cosine, b.eta) < 0.0f) fresnel = 1.0f;
-  return b.transmissionScale * ((1.0f - b.metalness) * (1.0f - fresnel));
+// and as a dielectric.
+FN Spectrum DielectricFresnel(IN(Bsdf) b, float cosine) {
+  float bare = FrOfEta(cosine, b.etaFresnel);
+  Spectrum fresnel = Spectrum(bare, bare, bare);
+  Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
+  if (b.film > 0.0f)
+    fresnel =
+        Lerp(b.film, fresnel, FrFilmOnDielectric(cosine, b.filmEta, b.filmPath, b.etaFresnel));
+  if (b.thin == 1u) return fresnel * 2.0f / (one + fresnel);
+  // What cannot be refracted is reflected
+  if (MaxChannel(b.transmissionScale) > 0.0f && RefractedCosine(cosine, b.eta) < 0.0f) return one;
+  return fresnel;
 }
 
-// The share of the base's samples that are reflections, at a microfacet.
-FN float BaseReflectionShare(Spectrum reflectance, Spectrum transmittance) {
-  float r = MeanChannel(reflectance);
-  float t = MeanChannel(transmittance);
-  return r + t > 0.0f ? r / (r + t) : 1.0f;
+// What the base sends back, and lets through, per microfacet whose normal makes this cosine with wo, and the share of
+// the base's samples that are reflections there.
+struct BaseSplit {
+  Spectrum reflectance;
+  Spectrum transmittance;
+  float share;
+};
+FN BaseSplit SplitAtBase(IN(Bsdf) b, float cosine) {
+  BaseSplit split;
+  split.reflectance = Spectrum(0.0f, 0.0f, 0.0f);
+  split.transmittance = split.reflectance;
+  if (b.metalness > 0.0f) split.reflectance = MetalFresnel(b, cosine) * b.metalScale * b.metalness;
+  if (b.metalness < 1.0f) {
+    Spectrum fresnel = DielectricFresnel(b, cosine);
+    Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
+    split.reflectance += b.reflectionScale * fresnel * (1.0f - b.metalness);
+    split.transmittance = b.transmissionScale * (one - fresnel) * (1.0f - b.metalness);
+  }
+  float r = MeanChannel(split.reflectance);
+  float t = MeanChannel(split.transmittance);
+  split.share = r + t > 0.0f ? r / (r + t) : 1.0f;
+  return split;
 }
 
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
-FN bool IsSmoothCoat(IN(Bsdf) b) { return b.coatAlpha.x < SmoothAlpha; }
+FN bool IsSmoothCoat(IN(Bsdf) b) { return Max(b.coatAlpha.x, b.coatAlpha.y) < SmoothAlpha; }
 
-// Passing the coat takes its colour along the way; the exponent is the way's length through it.
-FN Spectrum CoatPassage(IN(Bsdf) b, float cosine) {
-  if (b.coat <= 0.0f) return Spectrum(1.0f, 1.0f, 1.0f);
-  float inside = Max(RefractedCosine(abs(cosine), b.coatEta), 0.05f);
-  float e = 1.0f / inside;
-  Spectrum tint = Spectrum(Pow(b.coatTint.x, e), Pow(b.coatTint.y, e), Pow(b.coatTint.z, e));
-  return Lerp(b.coat, Spectrum(1.0f, 1.0f, 1.0f), tint);
+// Whether EvalBsdf sees light from the other side.
+FN bool Transmits(IN(Bsdf) b) {
+  return b.pickDiffuseTransmission > 0.0f ||
+         (!IsSmoothBase(b) && MaxChannel(b.transmissionScale) > 0.0f);
+}
+
+// Between the frame of the base and that of the coat, whose normal may be another.
+FN vec3 ToCoat(IN(Bsdf) b, vec3 w) {
+  if (b.coatTilted == 0u) return w;
+  return vec3(Dot(w, b.coatX), Dot(w, Cross(b.coatZ, b.coatX)), Dot(w, b.coatZ));
+}
+FN vec3 FromCoat(IN(Bsdf) b, vec3 w) {
+  if (b.coatTilted == 0u) return w;
+  return b.coatX * w.x + Cross(b.coatZ, b.coatX) * w.y + b.coatZ * w.z;
+}
+
+// Passing the coat once takes the root of its colour at normal incidence; the exponent grows with the way's length.
+FN Spectrum CoatPassage(float coat, float eta, Spectrum color, float cosine) {
+  Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
+  if (MaxChannel(one - color) <= 0.0f) return one;
+  float e = 0.5f / Max(RefractedCosine(abs(cosine), eta), 0.05f);
+  return Lerp(coat, one, Spectrum(Pow(color.x, e), Pow(color.y, e), Pow(color.z, e)));
 }
 
 // What reaches the base and comes back, on the ways along wo and wi.
 FN Spectrum ThroughLayers(IN(Bsdf) b, vec3 wo, vec3 wi) {
   if (b.coat <= 0.0f) return b.underCoat * b.underFuzz;
-  return b.underCoat * CoatPassage(b, wo.z) * CoatPassage(b, wi.z) * b.underFuzz;
+  return b.underCoat * CoatPassage(b.coat, b.coatEta, b.coatTint, wo.z) *
+         CoatPassage(b.coat, b.coatEta, b.coatTint, wi.z) * b.underFuzz;
 }
 
 FN float FuzzDistribution(float alpha, float cosHalf) {
@@ -206,10 +275,10 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
       vec3 mirrored = vec3(wi.x, wi.y, -wi.z);
       vec3 m = Normalize(wo + mirrored);
       float cosine = Dot(wo, m);
-      float share = BaseReflectionShare(BaseReflectance(b, cosine), BaseTransmittance(b, cosine));
-      f += through * BaseTransmittance(b, cosine) *
+      BaseSplit split = SplitAtBase(b, cosine);
+      f += through * split.transmittance *
            (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, mirrored) / (4.0f * wo.z));
-      pdf += b.pickBase * (1.0f - share) * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
+      pdf += b.pickBase * (1.0f - split.share) * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
       return f;
     }
     vec3 m = wi * b.eta + wo;
@@ -220,35 +289,38 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
     float cosIn = Dot(wi, m);
     if (cosOut <= 0.0f || cosIn >= 0.0f) return f;
     float jacobian = -cosIn / Sqr(cosIn + cosOut / b.eta);
-    Spectrum transmittance = BaseTransmittance(b, cosOut);
-    float share = BaseReflectionShare(BaseReflectance(b, cosOut), transmittance);
+    BaseSplit split = SplitAtBase(b, cosOut);
     // Radiance is squeezed into the smaller cone of directions, by 1/η²
-    f += through * transmittance *
+    f += through * split.transmittance *
          (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, wi) * cosOut * jacobian /
           (wo.z * b.eta * b.eta));
-    pdf += b.pickBase * (1.0f - share) * PdfGgxVisible(b.alpha, wo, m) * jacobian;
+    pdf += b.pickBase * (1.0f - split.share) * PdfGgxVisible(b.alpha, wo, m) * jacobian;
     return f;
   }
 
   vec3 m = Normalize(wo + wi);
   float cosine = Max(Dot(wo, m), 1e-7f);
   if (b.pickBase > 0.0f && !IsSmoothBase(b)) {
-    Spectrum reflectance = BaseReflectance(b, cosine);
-    float share = BaseReflectionShare(reflectance, BaseTransmittance(b, cosine));
-    f += through * reflectance *
+    BaseSplit split = SplitAtBase(b, cosine);
+    f += through * split.reflectance *
          (GgxDistribution(b.alpha, m) * GgxMasking(b.alpha, wo, wi) / (4.0f * wo.z));
-    pdf += b.pickBase * share * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
+    pdf += b.pickBase * split.share * PdfGgxVisible(b.alpha, wo, m) / (4.0f * cosine);
   }
   if (b.pickDiffuse > 0.0f) {
     f += through * EvalEon(b.diffuse, b.diffuseRoughness, wo, wi) * wi.z;
     pdf += b.pickDiffuse * wi.z * InvPi;
   }
   if (b.pickCoat > 0.0f && !IsSmoothCoat(b)) {
-    float reflectance = b.coat * FrOfEta(cosine, b.coatEta) * b.underFuzz *
-                        GgxDistribution(b.coatAlpha, m) * GgxMasking(b.coatAlpha, wo, wi) /
-                        (4.0f * wo.z);
-    f += Spectrum(reflectance, reflectance, reflectance);
-    pdf += b.pickCoat * PdfGgxVisible(b.coatAlpha, wo, m) / (4.0f * cosine);
+    vec3 coatWo = ToCoat(b, wo);
+    vec3 coatWi = ToCoat(b, wi);
+    if (coatWo.z > 0.0f && coatWi.z > 0.0f) {
+      vec3 coatM = Normalize(coatWo + coatWi);
+      float reflectance = b.coatScale * FrOfEta(cosine, b.coatEta) *
+                          GgxDistribution(b.coatAlpha, coatM) *
+                          GgxMasking(b.coatAlpha, coatWo, coatWi) / (4.0f * coatWo.z);
+      f += Spectrum(reflectance, reflectance, reflectance);
+      pdf += b.pickCoat * PdfGgxVisible(b.coatAlpha, coatWo, coatM) / (4.0f * cosine);
+    }
   }
   if (b.pickFuzz > 0.0f) {
     f += b.fuzz * EvalFuzz(b.fuzzAlpha, wo, wi);
@@ -275,14 +347,18 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
   vec3 wi;
   float left = lobe;
   if (left < b.pickCoat) {
+    vec3 coatWo = ToCoat(b, wo);
+    if (coatWo.z <= 0.0f) return NoBsdfSample();
     vec3 m = vec3(0.0f, 0.0f, 1.0f);
-    if (!IsSmoothCoat(b)) m = SampleGgxVisible(b.coatAlpha, wo, u);
-    wi = -Reflect(wo, m);
+    if (!IsSmoothCoat(b)) m = SampleGgxVisible(b.coatAlpha, coatWo, u);
+    wi = -Reflect(coatWo, m);
+    if (wi.z <= 0.0f) return NoBsdfSample();
+    wi = FromCoat(b, wi);
+    if (wi.z <= 0.0f) return NoBsdfSample();
     if (IsSmoothCoat(b)) {
-      float reflectance = b.coat * FrOfEta(wo.z, b.coatEta) * b.underFuzz;
+      float reflectance = b.coatScale * FrOfEta(coatWo.z, b.coatEta);
       return SmoothSample(wi, Spectrum(reflectance, reflectance, reflectance), b.pickCoat);
     }
-    if (wi.z <= 0.0f) return NoBsdfSample();
   } else if ((left -= b.pickCoat) < b.pickBase) {
     // A microfacet, then to which side
     bool even = IsSmoothBase(b);
@@ -290,25 +366,25 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
     if (!even) m = SampleGgxVisible(b.alpha, wo, u);
     float cosine = Dot(wo, m);
     if (cosine <= 0.0f) return NoBsdfSample();
-    Spectrum reflectance = BaseReflectance(b, cosine);
-    Spectrum transmittance = BaseTransmittance(b, cosine);
-    float share = BaseReflectionShare(reflectance, transmittance);
-    if (left < b.pickBase * share) {
+    BaseSplit split = SplitAtBase(b, cosine);
+    if (left < b.pickBase * split.share) {
       wi = -Reflect(wo, m);
-      if (even) return SmoothSample(wi, reflectance * ThroughLayers(b, wo, wi), b.pickBase * share);
+      if (even)
+        return SmoothSample(wi, split.reflectance * ThroughLayers(b, wo, wi),
+                            b.pickBase * split.share);
       if (wi.z <= 0.0f) return NoBsdfSample();
     } else if (b.thin == 1u) {
       vec3 mirrored = -Reflect(wo, m);
       if (mirrored.z <= 0.0f) return NoBsdfSample();
       wi = even ? -wo : vec3(mirrored.x, mirrored.y, -mirrored.z);
       if (even)
-        return SmoothSample(wi, transmittance * ThroughLayers(b, wo, wi),
-                            b.pickBase * (1.0f - share));
+        return SmoothSample(wi, split.transmittance * ThroughLayers(b, wo, wi),
+                            b.pickBase * (1.0f - split.share));
     } else {
       wi = Refract(-wo, m, cosine, RefractedCosine(cosine, b.eta), b.eta);
       if (even)
-        return SmoothSample(wi, transmittance * ThroughLayers(b, wo, wi) / (b.eta * b.eta),
-                            b.pickBase * (1.0f - share));
+        return SmoothSample(wi, split.transmittance * ThroughLayers(b, wo, wi) / (b.eta * b.eta),
+                            b.pickBase * (1.0f - split.share));
       if (wi.z >= 0.0f) return NoBsdfSample();
     }
   } else if ((left -= b.pickBase) < b.pickDiffuse + b.pickDiffuseTransmission) {

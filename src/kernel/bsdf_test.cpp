@@ -17,8 +17,13 @@ Bsdf Empty() {
   b.alpha = b.coatAlpha = vec2(0.3f, 0.3f);
   b.eta = b.etaFresnel = b.coatEta = 1.5f;
   b.metalTint = b.metalScale = b.coatTint = b.underCoat = Spectrum(1.0f);
+  b.metalWeight = 1;
   b.fuzzAlpha = 0.3f;
   b.underFuzz = 1;
+  b.filmEta = 1.3f;
+  b.filmPath = 2 * 1.3f * 0.4f;
+  b.metalEta = {0.2f, 0.9f, 1.3f};
+  b.metalK = {3.3f, 2.4f, 1.9f};
   return b;
 }
 
@@ -55,6 +60,32 @@ Bsdf Pane() {
   return b;
 }
 
+Bsdf FilmOnGlass() {
+  Bsdf b = Glass(1.5f);
+  b.film = 0.8f;
+  return b;
+}
+
+Bsdf FilmOnMetal() {
+  Bsdf b = Metal();
+  b.film = 1;
+  return b;
+}
+
+// A coat that is brushed and whose normal is not that of the base.
+Bsdf TiltedCoat() {
+  Bsdf b = Matt();
+  b.coat = 1;
+  b.coatScale = 1;
+  b.coatAlpha = vec2(0.4f, 0.15f);
+  b.coatTilted = 1;
+  b.coatZ = Normalize(vec3(0.2f, -0.1f, 1));
+  b.coatX = Normalize(vec3(1, 0, 0) - b.coatZ * b.coatZ.x);
+  b.pickCoat = 0.4f;
+  b.pickDiffuse = 0.6f;
+  return b;
+}
+
 Bsdf Everything() {
   Bsdf b = Matt();
   b.metalness = 0.3f;
@@ -62,6 +93,7 @@ Bsdf Everything() {
   b.reflectionScale = b.transmissionScale = Spectrum(0.6f);
   b.diffuseTransmission = Spectrum(0.2f);
   b.coat = 0.5f;
+  b.coatScale = 0.35f;
   b.coatTint = {0.9f, 0.5f, 0.5f};
   b.coatAlpha = vec2(0.2f, 0.2f);
   b.underCoat = Spectrum(0.8f);
@@ -100,7 +132,8 @@ std::vector<double> Expected(const Bsdf& b, vec3 wo, double count) {
 }
 
 TEST(Bsdf, SamplesFallAsTheirDensitySays) {
-  const Bsdf all[] = {Matt(), Metal(), Glass(1.5f), Glass(1 / 1.5f), Pane(), Everything()};
+  const Bsdf all[] = {Matt(),        Metal(),       Glass(1.5f),  Glass(1 / 1.5f), Pane(),
+                      FilmOnGlass(), FilmOnMetal(), TiltedCoat(), Everything()};
   const float cosines[] = {0.95f, 0.5f, 0.15f};
   test::Random random(91);
   const int tests = int(std::size(all) * std::size(cosines));
@@ -131,7 +164,8 @@ TEST(Bsdf, SamplesFallAsTheirDensitySays) {
 
 TEST(Bsdf, WeightsAreWhatEvaluationGives) {
   test::Random random(92);
-  for (const Bsdf& b : {Matt(), Metal(), Glass(1.5f), Glass(1 / 1.5f), Pane(), Everything()}) {
+  for (const Bsdf& b : {Matt(), Metal(), Glass(1.5f), Glass(1 / 1.5f), Pane(), FilmOnGlass(),
+                        FilmOnMetal(), TiltedCoat(), Everything()}) {
     for (int i = 0; i < 10000; ++i) {
       const vec3 wo = At(0.02f + 0.97f * random.UniformFloat(), 6 * random.UniformFloat());
       const float lobe = random.UniformFloat();
@@ -149,7 +183,8 @@ TEST(Bsdf, WeightsAreWhatEvaluationGives) {
 
 TEST(Bsdf, ReflectionIsReciprocal) {
   test::Random random(93);
-  for (const Bsdf& b : {Matt(), Metal(), Glass(1.5f), Pane(), Everything()}) {
+  for (const Bsdf& b :
+       {Matt(), Metal(), Glass(1.5f), Pane(), FilmOnGlass(), FilmOnMetal(), Everything()}) {
     for (int i = 0; i < 1000; ++i) {
       const vec3 wo = At(0.05f + 0.9f * random.UniformFloat(), 6 * random.UniformFloat());
       const vec3 wi = At(0.05f + 0.9f * random.UniformFloat(), 6 * random.UniformFloat());
@@ -199,6 +234,27 @@ TEST(Bsdf, SmoothSurfacesReflectByFresnelAndRefractBySnell) {
   float pdf;
   EXPECT_EQ(EvalBsdf(b, wo, At(0.6f, Pi), pdf), Spectrum(0.0f));
   EXPECT_EQ(pdf, 0);
+}
+
+// A film absorbs nothing: what a facet does not reflect it lets through.
+TEST(Bsdf, FilmsOnGlassShareTheLight) {
+  Bsdf b = FilmOnGlass();
+  for (const float cosine : {1.0f, 0.7f, 0.3f, 0.05f}) {
+    const BaseSplit split = SplitAtBase(b, cosine);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(split.reflectance[c] + split.transmittance[c], 1, 1e-6f);
+      EXPECT_GE(split.reflectance[c], 0);
+    }
+  }
+}
+
+// The colour of a coat is what is left of light that crosses it down and up again.
+TEST(Bsdf, CoatsTakeTheirColourOnBothWays) {
+  const Spectrum color(0.81f, 0.5f, 0.1f);
+  const Spectrum once = CoatPassage(1, 1.6f, color, 1);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(once[c] * once[c], color[c], 1e-5f);
+  EXPECT_LT(CoatPassage(1, 1.6f, color, 0.2f).z, once.z);
+  EXPECT_EQ(CoatPassage(0.5f, 1.6f, Spectrum(1.0f), 0.3f), Spectrum(1.0f));
 }
 
 TEST(EvalEon, KeepsAllEnergyAndIsLambertWhenSmooth) {

@@ -4,6 +4,7 @@
 // or a GLSL compiler reads it. What the macros stand for:
 //
 //   FN              a free function of values
+//   RARE_FN         the same, seldom called: kept out of its callers' code
 //   SCENE_FN        a function that reads the scene's buffers: in C++ a member of the struct that holds
 //                   the pointers (src/cpu/kernel.h), in GLSL a function at global scope
 //   IN OUT INOUT(T) parameters; OUT and INOUT are copied in and out in GLSL: never alias them
@@ -28,6 +29,7 @@
 #define KERNEL_BEGIN namespace snell::kernel {
 #define KERNEL_END }
 #define FN [[maybe_unused]] static inline __attribute__((always_inline))
+#define RARE_FN [[maybe_unused]] static __attribute__((noinline))
 #define SCENE_FN inline
 #define IN(T) const T&
 #define OUT(T) T&
@@ -61,6 +63,7 @@ FN float sqrt(float x) { return std::sqrt(x); }
 #define KERNEL_BEGIN
 #define KERNEL_END
 #define FN
+#define RARE_FN
 #define SCENE_FN
 #define IN(T) in T
 #define OUT(T) out T

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Sampling the light that reaches a point from one light source, one switch over their kinds. Spheres are
-// sampled by the solid angle that they fill (pbrt-v4, section 6.2.4), flat areas by their surface.
+// sampled by the solid angle that they fill (pbrt-v4, section 6.2.4), rectangles, too, where it is not tiny, other flat areas
+// by their surface.
 #ifndef SNELL_KERNEL_LIGHT_H
 #define SNELL_KERNEL_LIGHT_H
 
 #include "kernel/falloff.h"
 #include "kernel/ray.h"
 #include "kernel/sampling.h"
+#include "kernel/spherical_rectangle.h"
 
 KERNEL_BEGIN
 
@@ -38,6 +40,26 @@ FN LightLiSample SampleFlatLight(IN(Light) light, vec3 p, vec3 onLight) {
     geometry = cosLight * light.area * DistanceFalloff(light.falloff, distance, light.factor);
   }
   s.irradiance = light.emission * (geometry * RangeWindow(distance, light.range));
+  return s;
+}
+
+// A rectangle near by is sampled by its solid angle, else by its area.
+FN bool HasSphericalRectangle(IN(Light) light) {
+  return light.kind == LIGHT_RECTANGLE && light.falloff == FALLOFF_INVERSE_SQUARE;
+}
+FN LightLiSample SampleRectangleLight(IN(Light) light, vec3 p, vec2 u) {
+  vec3 byArea = light.position + light.edgeU * u.x + light.edgeV * u.y;
+  if (!HasSphericalRectangle(light)) return SampleFlatLight(light, p, byArea);
+  SphericalRectangle seen = SphericalRectangleAt(p, light.position, light.edgeU, light.edgeV);
+  if (seen.solidAngle == 0.0f) return SampleFlatLight(light, p, byArea);
+  LightLiSample s;
+  vec3 toLight = SampleSphericalRectangle(seen, u);
+  float distance = Length(toLight);
+  s.wi = toLight / distance;
+  s.distance = DistanceToLight(p, p + toLight, light.direction, s.wi, distance);
+  bool isLit = Dot(light.direction, s.wi) < 0.0f;
+  s.irradiance =
+      light.emission * (isLit ? seen.solidAngle * RangeWindow(distance, light.range) : 0.0f);
   return s;
 }
 
@@ -75,6 +97,14 @@ FN LightLiSample SampleSphereDirections(vec3 center, float radius, vec3 p, vec2 
   s.distance = DistanceToLight(p, center, s.wi, s.wi, s.distance);
   s.irradiance = Spectrum(0.0f, 0.0f, 0.0f);
   return s;
+}
+
+// Their density.
+FN float PdfSphereDirections(vec3 center, float radius, vec3 p) {
+  float distance = Length(center - p);
+  if (distance <= radius) return 0.25f * InvPi;
+  float sin2 = Sqr(radius / distance);
+  return Inv2Pi * (1.0f + SafeSqrt(1.0f - sin2)) / sin2;
 }
 
 // What a sphere's solid angle stands for: its intensity per radiance, π r², with the light's falloff.
@@ -147,46 +177,29 @@ FN LightLiSample SampleLi(IN(Light) light, vec3 p, vec2 u) {
       return s;
     }
   }
-  return SampleFlatLight(light, p, light.position + light.edgeU * u.x + light.edgeV * u.y);
+  return SampleRectangleLight(light, p, u);
 }
 
-// The density of SampleLi, per solid angle at p, of the direction wi in which an area light is met at a distance.
+// The density of SampleLi, per solid angle at p, of the direction wi in which an area light is met at a distance, or
+// the disc of a directional light.
 FN float PdfLi(IN(Light) light, vec3 p, vec3 wi, float distance) {
-  if (light.kind == LIGHT_SPHERE) {
-    float sin2 = Sqr(light.radius) / LengthSquared(light.position - p);
-    if (sin2 >= 1.0f) return 0.25f * InvPi;
-    return Inv2Pi * (1.0f + SafeSqrt(1.0f - sin2)) / sin2;
-  }
+  if (light.kind == LIGHT_DIRECTIONAL) return Inv2Pi / light.oneMinusCos;
+  if (light.kind == LIGHT_SPHERE) return PdfSphereDirections(light.position, light.radius, p);
   float cosLight = -Dot(light.direction, wi);
-  return cosLight > 0.0f ? Sqr(distance) / (cosLight * light.area) : 0.0f;
+  if (cosLight <= 0.0f) return 0.0f;
+  if (HasSphericalRectangle(light)) {
+    float solidAngle = SphericalRectangleAt(p, light.position, light.edgeU, light.edgeV).solidAngle;
+    if (solidAngle > 0.0f) return 1.0f / solidAngle;
+  }
+  return Sqr(distance) / (cosLight * light.area);
 }
 
-// About how much light p can receive from a source, shadows and angles aside: what choosing one of many goes by.
-FN float LightImportance(IN(Light) light, vec3 p) {
-  float brightness = MaxChannel(light.emission);
-  if (light.kind == LIGHT_DIRECTIONAL) return brightness;
-  vec3 middle = light.position;
-  float extent2 = Sqr(light.radius);
-  if (light.kind == LIGHT_RECTANGLE || light.kind == LIGHT_TRIANGLE) {
-    float share = light.kind == LIGHT_RECTANGLE ? 0.5f : 0.33333333f;
-    middle = middle + (light.edgeU + light.edgeV) * share;
-    extent2 = LengthSquared(light.edgeU) + LengthSquared(light.edgeV);
-  }
-  if (light.kind == LIGHT_DISK) extent2 = LengthSquared(light.edgeU);
-  vec3 toLight = middle - p;
-  float distance = sqrt(LengthSquared(toLight) + 0.25f * extent2);
-  bool isFlat =
-      light.kind == LIGHT_RECTANGLE || light.kind == LIGHT_TRIANGLE || light.kind == LIGHT_DISK;
-  if (isFlat) {
-    if (Dot(light.direction, p - light.position) <= 0.0f) return 0.0f;
-    brightness *= light.area;
-  }
-  if (light.kind == LIGHT_SPHERE) brightness *= Pi * Sqr(light.radius);
-  if (light.kind == LIGHT_SPOT && light.radius == 0.0f &&
-      -Dot(light.direction, toLight) < light.cosOuter * Length(toLight))
-    return 0.0f;
-  return brightness * DistanceFalloff(light.falloff, distance, light.factor) *
-         RangeWindow(Length(toLight), light.range > 0.0f ? light.range + sqrt(extent2) : 0.0f);
+// Radiance of a directional light's disc, black beside it.
+FN Spectrum SunLe(IN(Light) light, vec3 d) {
+  // The squared chord between the directions is twice 1 − their cosine and keeps the digits of narrow discs
+  if (LengthSquared(d + light.direction) >= 2.0f * light.oneMinusCos)
+    return Spectrum(0.0f, 0.0f, 0.0f);
+  return light.emission * (Inv2Pi / light.oneMinusCos);
 }
 
 KERNEL_END

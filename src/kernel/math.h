@@ -70,6 +70,9 @@ FN void CoordinateSystem(vec3 n, OUT(vec3) s, OUT(vec3) t) {
 
 FN float MaxChannel(Spectrum s) { return Max(s.x, Max(s.y, s.z)); }
 FN float MeanChannel(Spectrum s) { return (s.x + s.y + s.z) * (1.0f / 3.0f); }
+FN Spectrum Saturate(Spectrum s) {
+  return Spectrum(Clamp(s.x, 0.0f, 1.0f), Clamp(s.y, 0.0f, 1.0f), Clamp(s.z, 0.0f, 1.0f));
+}
 FN bool IsBlack(Spectrum s) { return MaxChannel(s) <= 0.0f; }
 
 // Rounding

@@ -55,6 +55,12 @@ FN vec2 GgxWidths(float roughness, float anisotropy) {
   return vec2(Max(along, 1e-4f), Max(along * (1.0f - anisotropy), 1e-4f));
 }
 
+// The same as glTF has it (KHR_materials_anisotropy): only the width along the direction grows.
+FN vec2 GgxWidthsOfGltf(float roughness, float strength) {
+  float across = Max(roughness * roughness, 1e-4f);
+  return vec2(Lerp(strength * strength, across, 1.0f), across);
+}
+
 KERNEL_END
 
 #endif

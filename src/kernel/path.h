@@ -10,10 +10,10 @@
 
 // Start sample `sampleIndex` of a pixel.
 SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
-  s.seed = HashCombine(HashCombine(params.seed, pixel.x), pixel.y);
-  s.sampleIndex = sampleIndex;
+  s.seed = params.seed;
+  if (params.independentSamples == 1u) s.seed = HashCombine(HashCombine(s.seed, sampleIndex), 1u);
+  s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
   s.dimension = 0u;
-  s.rays.camera = 1u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
   s.rays.shadow = 0u;
@@ -21,10 +21,16 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   // Place the sample in the image plane by the pixel filter
   vec2 offset = SamplePixelFilter(PathSample2D(s));
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
-  s.ray = GenerateRay(params.camera, place);
-  s.beta = Spectrum(1.0f, 1.0f, 1.0f);
+  vec2 lens = vec2(0.0f, 0.0f);
+  if (HasLens(params.camera)) lens = PathSample2D(s);
+  CameraRay start = GenerateRay(params.camera, place, lens);
+  s.ray = start.ray;
+  s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
+  s.held = 0.0f;
   s.etaScale = 1.0f;
+  s.monochrome = 0u;
+  s.wavelength = 0.0f;
   s.depth = 1u;
   s.scatterings = 0u;
   s.passes = 0u;
@@ -34,24 +40,32 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.media = params.camera.inside == 1u ? MediaAround(s.ray) : NoMedia();
   s.bsdfPdf = 0.0f;
   s.lastPoint = s.ray.o;
-  s.lightSum = 0.0f;
-  s.alive = 1u;
+  s.lastNormal = vec3(0.0f, 0.0f, 0.0f);
+  s.alive = start.weight > 0.0f ? 1u : 0u;
+  s.rays.camera = s.alive;
 }
 
-// A unit normal that wo sees from above.
-SCENE_FN vec3 NormalSeenFrom(vec3 ns, vec3 wo) {
-  float cosine = Dot(ns, wo);
-  if (cosine > 1e-3f) return ns;
-  return Normalize(ns + wo * (2e-3f - cosine));
+// What a ray sees that leaves the scene.
+SCENE_FN Spectrum UnboundedLe(IN(PathState) s, vec3 d, bool fromCamera) {
+  if (fromCamera && params.environment.visible == 0u) return Spectrum(0.0f, 0.0f, 0.0f);
+  float pdf;
+  Spectrum Le = EnvironmentLe(d, pdf);
+  if (s.bsdfPdf > 0.0f) Le = Le * (s.bsdfPdf / (s.bsdfPdf + EnvironmentShare() * pdf));
+  for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun) {
+    Spectrum disc = SunLe(lights[sun], d);
+    if (!IsBlack(disc)) Le += disc * FoundWeight(s, sun, d, Infinite);
+  }
+  // Ambient lights light surfaces but are not seen
+  if (!fromCamera) Le += params.ambient;
+  return Le;
 }
 
 // Gather the light of one source at a surface, then choose the way on.
 SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
-  float lightSum = 0.0f;
   bool walks = s.walk != None;
   if (!walks) {
-    Spectrum sampled = SampledLight(s, v, lightSum);
-    s.L += s.beta * sampled;
+    Spectrum sampled = SampledLight(s, v);
+    PathAdd(s, s.beta * sampled, PathVertices(s));
   }
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
@@ -82,8 +96,8 @@ SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
   bool straight = through && next.isSpecular == 1u && v.bsdf.thin == 1u;
   if (!straight) {
     s.bsdfPdf = next.isSpecular == 1u || walks ? 0.0f : next.pdf;
-    s.lastPoint = v.p;
-    s.lightSum = lightSum;
+    s.lastPoint = VertexAbove(v);
+    s.lastNormal = VertexFacing(v);
   }
   if (through) {
     s.rays.refracted += 1u;
@@ -123,10 +137,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (hit.primitive == None) {
     // Bodies that are not closed let the path out to nowhere
     if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
-    Spectrum Le = EnvironmentLe(params.environment, ray.d);
-    // Ambient lights light surfaces but are not seen
-    if (!fromCamera) Le += params.ambient;
-    s.L += s.beta * Le;
+    PathAdd(s, s.beta * UnboundedLe(s, ray.d, fromCamera), PathVertices(s) - 1u);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -165,21 +176,20 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (object.light != None) {
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
-    float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f) {
-      float pick =
-          LightImportance(light, s.lastPoint) / Max(s.lightSum, 1e-30f) * (1.0f - EmitterShare());
-      float lightPdf = pick * PdfLi(light, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
-      weight = light.found == 1u ? s.bsdfPdf / (s.bsdfPdf + lightPdf) : 0.0f;
-    }
-    s.L += s.beta * light.emission * weight;
+    PathAdd(
+        s,
+        s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint)),
+        PathVertices(s) - 1u);
     return;
   }
 
   // Find what lies behind a refractive boundary
   bool hasInside = material.refractive == 1u && material.thin == 0u;
   MediumStack mediaBehind = media;
-  float eta = material.ior / MediumIor(inside);
+  bool chooses = hasInside && material.dispersion > 0.0f && s.monochrome == 0u;
+  if (chooses) ChooseWavelength(s);
+  float nearIor = MediumIor(inside, s.wavelength);
+  float eta = material.ior / nearIor;
   if (hasInside) {
     mediaBehind =
         Dot(ray.d, it.n) < 0.0f ? EnterMedium(media, it.object) : LeaveMedium(media, it.object);
@@ -194,20 +204,24 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
       s.alive = 1u;
       return;
     }
-    eta = MediumIor(behind) / MediumIor(inside);
+    eta = MediumIor(behind, s.wavelength) / nearIor;
   }
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION);
+  Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
     float weight = 1.0f;
-    if (s.bsdfPdf > 0.0f && params.emitterCount > 0u && hit.instance != INSTANCE_SHAPE) {
-      float pdf = PdfEmitter(material, it, ray.d, Length(it.p - s.lastPoint));
+    if (s.bsdfPdf > 0.0f) {
+      LET(Emitter) emitter = emitters[object.emitters + hit.primitive];
+      float pdf = PdfSource(s.lastPoint, s.lastNormal, emitter.node);
+      if (pdf > 0.0f)
+        pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    s.L += s.beta * Le * weight;
+    PathAdd(s, s.beta * Le * weight, PathVertices(s) - 1u);
   }
   if (s.depth >= params.maxDepth || material.closure == None) return;
 
   // Set up the surface's scattering in the frame of its shading normal
+  vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
   it.ns = MappedNormal(material, it, shown);
   PathVertex v;
   v.p = it.p;
@@ -219,15 +233,15 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   v.g = 0.0f;
   v.n = n;
   v.z = NormalSeenFrom(FaceForward(it.ns, n), wo);
-  v.x = it.tangent - v.z * Dot(it.tangent, v.z);
-  if (LengthSquared(v.x) > 1e-12f * LengthSquared(it.tangent)) {
-    v.x = Normalize(v.x);
-    v.y = Cross(v.z, v.x);
-  } else {
-    CoordinateSystem(v.z, v.x, v.y);
-  }
+  ScatteringFrame(material, shown, it, v.z, v.x, v.y);
   v.woLocal = vec3(Dot(wo, v.x), Dot(wo, v.y), Dot(wo, v.z));
-  v.bsdf = BsdfAt(material, shown, it.color, eta, v.woLocal.z);
+  BsdfView view;
+  view.wo = v.woLocal;
+  view.coatNormal = vec3(Dot(coatNormal, v.x), Dot(coatNormal, v.y), Dot(coatNormal, v.z));
+  view.eta = eta;
+  view.nearIor = nearIor;
+  view.outside = hasInside && Dot(ray.d, it.n) > 0.0f ? 0u : 1u;
+  v.bsdf = BsdfAt(material, shown, it.color, view);
   // Nothing wanders below a surface within a body that does, or seen from below
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
     v.bsdf = WithoutSubsurface(v.bsdf);

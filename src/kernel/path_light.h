@@ -2,114 +2,151 @@
 //
 // Light that a vertex of a path receives from sources that are sampled (next-event estimation): one source is chosen,
 // one point or direction of it sampled, and weighted against the chance that the path's own way meets it (multiple
-// importance sampling; Veach and Guibas 1995). Reads all buffers of the scene.
+// importance sampling; Veach and Guibas 1995). The environment's map has a share of its own; other sources lie in the
+// light tree or, as directional lights, beside it. The choice is made for a point `p` and a normal `n`, 0 where light counts from all sides. Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
-// The lights' importances at p, added up, and one of them chosen in proportion by u; None: all are dark.
-SCENE_FN uint ChooseLight(vec3 p, float u, OUT(float) sum, OUT(float) chosenImportance) {
-  sum = 0.0f;
-  chosenImportance = 0.0f;
-  uint chosen = None;
+// The number of the next vertex; 1 is what the camera sees.
+SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
+
+// Add light to the pixel that was scattered at so many vertices on its way. Indirect light, from two of them on, is held
+// to a limit if there is one: fireflies are found rarely and weigh much; without them the picture is darker.
+SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint vertices) {
+  float most = MaxChannel(L);
+  Spectrum kept = L;
+  if (params.clampIndirect > 0.0f && vertices > 1u && most > params.clampIndirect) {
+    kept = L * (params.clampIndirect / most);
+    Spectrum rest = L - kept;
+    s.held += (rest.x + rest.y + rest.z) * (1.0f / 3.0f);
+  }
+  s.L += kept;
+}
+
+// The directional lights' importances, added up, and one of them chosen in proportion by u.
+SCENE_FN float ChooseDirectional(vec3 n, float u, OUT(uint) chosen, OUT(float) pick) {
+  float sum = 0.0f;
+  float importanceOfChosen = 0.0f;
   float left = u;
-  for (uint i = 0u; i < params.lightCount; ++i) {
+  chosen = None;
+  for (uint i = params.firstDirectional; i != None; i = lights[i].next) {
     LET(Light) light = lights[i];
-    float importance = LightImportance(light, p);
+    float importance = DirectionalImportance(light, n);
     if (importance <= 0.0f) continue;
     // Keep the old choice or take this one; either way the number is stretched to be uniform again
     sum += importance;
     float share = importance / sum;
     if (left < share) {
       chosen = i;
-      chosenImportance = importance;
+      importanceOfChosen = importance;
       left = left / share;
     } else {
       left = (left - share) / (1.0f - share);
     }
     left = Min(left, 0.99999994f);
   }
-  return chosen;
+  pick = sum > 0.0f ? importanceOfChosen / sum : 0.0f;
+  return sum;
 }
 
-// The share of samples that go to glowing triangles, the others to lights.
-SCENE_FN float EmitterShare() {
-  if (params.emitterCount == 0u) return 0.0f;
-  return params.lightCount == 0u ? 1.0f : 0.5f;
+// The share of samples that go to sources at infinity, given what they bring: half, or all or none where only one sort
+// can shine.
+SCENE_FN float InfiniteShare(vec3 p, vec3 n, float directional) {
+  if (directional <= 0.0f) return 0.0f;
+  if (params.lightNodeCount == 0u) return 1.0f;
+  return NodeImportance(0u, p, n) > 0.0f ? 0.5f : 1.0f;
 }
 
-// The density, per solid angle at a distance, of sampling a point of a glowing triangle in the direction wi: points are
-// uniform over the areas, weighted by the brightest channel of the material's emission.
-SCENE_FN float PdfEmitter(IN(Material) material, IN(SurfaceInteraction) it, vec3 wi,
-                          float distance) {
-  return EmitterShare() * MaxChannel(material.emission) / params.emitterPower * Sqr(distance) /
-         Max(abs(Dot(it.n, wi)), 1e-6f);
-}
-
-// The emitter in whose share u falls.
-SCENE_FN uint EmitterAt(float u) {
-  uint low = 0u;
-  uint high = params.emitterCount - 1u;
-  while (low < high) {
-    uint middle = (low + high) / 2u;
-    if (u < emitters[middle].last) {
-      high = middle;
-    } else {
-      low = middle + 1u;
-    }
+// A source that is not the environment, chosen by u, with its probability: a light or, counted on from the lights, an emitter. None: all are dark.
+SCENE_FN uint ChooseSource(vec3 p, vec3 n, vec2 u, OUT(float) pick) {
+  uint directional;
+  float directionalPick;
+  float share = InfiniteShare(p, n, ChooseDirectional(n, u.y, directional, directionalPick));
+  float others = 1.0f - EnvironmentShare();
+  if (u.x < share) {
+    pick = others * share * directionalPick;
+    return directional;
   }
-  return low;
+  float stretched = Min((u.x - share) / (1.0f - share), 0.99999994f);
+  float treePick;
+  uint source = SampleLightTree(p, n, vec2(stretched, u.y), treePick);
+  pick = others * (1.0f - share) * treePick;
+  return source;
 }
 
-// Light from a point of a glowing triangle, sampled at a vertex, towards where the path comes from.
-SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, float choice, vec2 u) {
+// The probability that ChooseSource takes the source at a leaf of the tree; None has none.
+SCENE_FN float PdfSource(vec3 p, vec3 n, uint leaf) {
+  if (leaf == None) return 0.0f;
+  uint directional;
+  float directionalPick;
+  float share = InfiniteShare(p, n, ChooseDirectional(n, 0.5f, directional, directionalPick));
+  return (1.0f - EnvironmentShare()) * (1.0f - share) * PdfLightTree(p, n, leaf);
+}
+
+// The same of a directional light.
+SCENE_FN float PdfDirectional(vec3 p, vec3 n, IN(Light) light) {
+  uint directional;
+  float directionalPick;
+  float sum = ChooseDirectional(n, 0.5f, directional, directionalPick);
+  if (sum <= 0.0f) return 0.0f;
+  return (1.0f - EnvironmentShare()) * InfiniteShare(p, n, sum) * DirectionalImportance(light, n) /
+         sum;
+}
+
+// The weight of a light that the path's own way has met, in the direction wi from its last vertex, against the chance
+// that it was sampled there.
+SCENE_FN float FoundWeight(IN(PathState) s, uint index, vec3 wi, float distance) {
+  if (s.bsdfPdf <= 0.0f) return 1.0f;
+  LET(Light) light = lights[index];
+  if (light.found == 0u) return 0.0f;
+  float pick = light.kind == LIGHT_DIRECTIONAL ? PdfDirectional(s.lastPoint, s.lastNormal, light)
+                                               : PdfSource(s.lastPoint, s.lastNormal, light.node);
+  return s.bsdfPdf / (s.bsdfPdf + pick * PdfLi(light, s.lastPoint, wi, distance));
+}
+
+// Light from a point of something that glows, sampled at a vertex, towards where the path comes from. `pick`: the
+// probability of the choice.
+SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from,
+                                 IN(Emitter) emitter, float pick, vec2 u) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
-  LET(Emitter) emitter = emitters[EmitterAt(choice)];
-  LET(Triangle) triangle = triangles[emitter.triangle];
-  vec2 b = SampleUniformTriangle(u);
-  vec3 point = positions[triangle.v0] * (1.0f - b.x - b.y) + positions[triangle.v1] * b.x +
-               positions[triangle.v2] * b.y;
-  if (emitter.instance != None) point = ToWorldPoint(instances[emitter.instance].toWorld, point);
-  vec3 toPoint = point - v.p;
-  float distance = Length(toPoint);
-  if (distance <= 0.0f) return none;
   Ray ray;
-  ray.o = v.p;
-  ray.d = toPoint / distance;
+  float reach;
+  SurfaceInteraction source = SampleEmitter(emitter, from, u, ray, reach);
+  if (source.t <= 0.0f) return none;
   float pdf;
   Spectrum f = EvalVertex(v, ray.d, pdf);
   if (IsBlack(f)) return none;
 
-  // What the triangle sends this way from there
-  Hit hit;
-  hit.primitive = emitter.triangle;
-  hit.instance = emitter.instance;
-  SurfaceInteraction source = SurfaceAt(hit, ray);
+  // What it sends this way from there
   LET(Material) material = materials[objects[source.object].material];
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
-  source.footprint = params.coneSpread * distance;
+  source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
-  Spectrum Le = material.emission * ShownColor(shown, ROLE_EMISSION) *
-                OpacityOf(material, shown, source.alpha);
+  Spectrum Le =
+      EmissionAt(material, shown, Dot(source.ns, ray.d)) * OpacityOf(material, shown, source.alpha);
   if (IsBlack(f * Le)) return none;
-  float sourcePdf = PdfEmitter(material, source, ray.d, distance);
+  float sourcePdf = pick * PdfEmitter(emitter, source, from, ray.d, source.t);
+  if (sourcePdf <= 0.0f) return none;
   s.rays.shadow += 1u;
-  float reach = DistanceToLight(v.p, point, source.n, ray.d, distance);
   return f * Le * PathTransmittance(s, VertexStart(v, ray.d), ray.d, reach, VertexMedia(v, ray.d)) *
          (1.0f / (sourcePdf + pdf));
 }
 
 // Light from one source, chosen and sampled at a vertex, towards where the path comes from.
-SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) lightSum) {
+SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   vec2 choice = PathSample2D(s);
   vec2 u = PathSample2D(s);
-  float importance;
-  uint index = ChooseLight(v.p, choice.x, lightSum, importance);
-  float emitterShare = EmitterShare();
-  if (choice.y < emitterShare) return SampledEmitter(s, v, choice.x, u);
-  if (index == None) return none;
-  LET(Light) light = lights[index];
-  LightLiSample li = SampleLi(light, v.p, u);
+  if (choice.x < EnvironmentShare()) return SampledEnvironment(s, v, u);
+  choice.x = Min((choice.x - EnvironmentShare()) / (1.0f - EnvironmentShare()), 0.99999994f);
+  vec3 from = VertexAbove(v);
+  float pick;
+  uint source = ChooseSource(from, VertexFacing(v), choice, pick);
+  if (source == None || pick <= 0.0f) return none;
+  if (source >= params.lightCount)
+    return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
+  LET(Light) light = lights[source];
+  LightLiSample li = SampleLi(light, from, u);
   if (IsBlack(li.irradiance)) return none;
   float pdf;
   Spectrum f = EvalVertex(v, li.wi, pdf);
@@ -118,10 +155,11 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v, OUT(float) 
   Spectrum arriving =
       f * li.irradiance *
       PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
-  float pick = importance / lightSum * (1.0f - emitterShare);
   float weight = 1.0f;
-  if (light.found == 1u) {
-    float lightPdf = pick * PdfLi(light, v.p, li.wi, li.distance);
+  // Rays that start inside a light's sphere do not meet it
+  bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
+  if (light.found == 1u && !isInside) {
+    float lightPdf = pick * PdfLi(light, from, li.wi, li.distance);
     weight = lightPdf / (lightPdf + pdf);
   }
   return arriving * (weight / pick);

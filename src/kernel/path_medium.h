@@ -34,11 +34,10 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   if (s.scatterings >= params.maxVolumeDepth || (s.depth >= params.maxDepth && !walks)) return;
   s.scatterings += 1u;
   PathVertex v = VertexInMedium(s.ray, distance, medium.anisotropy, media);
-  float lightSum = 0.0f;
   // Below a surface no light is sampled: it comes in where the path gets out
   if (!walks) {
-    Spectrum sampled = SampledLight(s, v, lightSum);
-    s.L += s.beta * sampled;
+    Spectrum sampled = SampledLight(s, v);
+    PathAdd(s, s.beta * sampled, PathVertices(s) - 1u);
   }
 
   s.ray.o = v.p;
@@ -47,8 +46,8 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   s.coneWidth += params.coneSpread * distance;
   s.passes = 0u;
   s.bsdfPdf = walks ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);
-  s.lastPoint = v.p;
-  s.lightSum = lightSum;
+  s.lastPoint = VertexAbove(v);
+  s.lastNormal = VertexFacing(v);
   s.rays.reflected += 1u;
   PathRoulette(s, PathSample2D(s).x);
 }
@@ -67,7 +66,8 @@ SCENE_FN bool PathGetsThroughGrid(INOUT(PathState) s, IN(Medium) medium, uint ob
   for (uint i = 0u; i < MaxGridSteps; ++i) {
     if (!NextCollision(s, grid, g, sigma, t, greatest, chance)) return true;
     float share = GridDensity(grid, g.o + g.d * t) / greatest;
-    s.L += s.beta * medium.emission * share;
+    if (!IsBlack(medium.emission))
+      PathAdd(s, s.beta * medium.emission * share, PathVertices(s) - 1u);
     Spectrum scattered = s.beta * medium.scattering * share;
     Spectrum passed = s.beta - s.beta * medium.extinction * share;
     passed = Spectrum(Max(passed.x, 0.0f), Max(passed.y, 0.0f), Max(passed.z, 0.0f));
@@ -97,7 +97,8 @@ SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float d
   if (medium.grid != None) return PathGetsThroughGrid(s, medium, object, media, distance);
   float reach = Min(distance, LongestFlight);
   if (!IsBlack(medium.emission))
-    s.L += s.beta * medium.emission * GlowLength(medium.extinction, reach);
+    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach),
+            PathVertices(s) - 1u);
   if (IsBlack(medium.extinction)) return true;
   if (IsBlack(medium.scattering)) {
     s.beta = s.beta * Exp(medium.extinction * -reach);

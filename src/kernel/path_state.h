@@ -5,7 +5,6 @@
 #define SNELL_KERNEL_PATH_STATE_H
 
 #include "kernel/ray.h"
-#include "kernel/sobol.h"
 
 KERNEL_BEGIN
 
@@ -21,7 +20,10 @@ struct PathState {
   uint alive;        // 1: it is to be traced
   Spectrum beta;     // what its radiance counts in the pixel
   Spectrum L;        // radiance gathered so far
+  float held;        // mean of the channels of the radiance that was held back (PathAdd)
   float etaScale;    // η² of the refractions so far, which Russian roulette does not see
+  uint monochrome;   // 1: the path has one wavelength
+  float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all
   uint depth;        // of the next vertex; 1 is what the camera sees
   uint scatterings;  // in media so far
   uint passes;       // surfaces passed since the last vertex because they are open there
@@ -32,19 +34,12 @@ struct PathState {
   // For the chance that the light at the next vertex is sampled from the last one, too
   float bsdfPdf;  // of the ray's direction; 0: no light was sampled, or it could not have been
   vec3 lastPoint;
-  float lightSum;    // of the lights' importances there
-  uint seed;         // of this pixel
-  uint sampleIndex;  // of this pixel
+  vec3 lastNormal;  // as the choice of a source saw it there: 0 where light counts from all sides
+  uint seed;
+  uint sampleIndex;  // in the sequence of that seed (sobol.h)
   uint dimension;    // pairs of sample dimensions used
   RayCounts rays;
 };
-
-// The path's next pair of sample dimensions.
-FN vec2 PathSample2D(INOUT(PathState) s) {
-  vec2 u = Sobol2D(s.sampleIndex, HashCombine(s.seed, s.dimension));
-  s.dimension += 1u;
-  return u;
-}
 
 KERNEL_END
 

@@ -61,6 +61,14 @@ FN MediumStack VertexMedia(IN(PathVertex) v, vec3 wi) {
   return v.behind;
 }
 
+// As what the choice of a source of light sees the vertex (light_tree.h): a point just above the surface, and the
+// normal, which is 0 where light counts from all sides.
+FN vec3 VertexAbove(IN(PathVertex) v) { return OffsetRayOrigin(v.p, v.pError, v.n, v.n); }
+FN vec3 VertexFacing(IN(PathVertex) v) {
+  if (v.inMedium == 1u || Transmits(v.bsdf)) return vec3(0.0f, 0.0f, 0.0f);
+  return v.z;
+}
+
 KERNEL_END
 
 #endif

@@ -40,6 +40,21 @@ FN vec2 SampleUniformTriangle(vec2 u) {
   return vec2(u.x - b, b);
 }
 
+// Uniform on the regular polygon with its corners on the unit circle, the first one at `angle`.
+FN vec2 SampleUniformPolygon(uint corners, float angle, vec2 u) {
+  // Choose a sector and stretch the number to be uniform again
+  float count = float(corners);
+  float sector = Min(floor(u.x * count), count - 1.0f);
+  vec2 b = SampleUniformTriangle(vec2(u.x * count - sector, u.y));
+  float s0;
+  float c0;
+  SinCos(angle + sector * (2.0f * Pi) / count, s0, c0);
+  float s1;
+  float c1;
+  SinCos(angle + (sector + 1.0f) * (2.0f * Pi) / count, s1, c1);
+  return vec2(b.x * c0 + b.y * c1, b.x * s0 + b.y * s1);
+}
+
 // Uniform directions in the cone around +z whose half angle has the given 1 − cosine, which keeps the
 // digits of narrow cones. Density per solid angle: 1 / (2π · oneMinusCos).
 FN vec3 SampleUniformCone(vec2 u, float oneMinusCos) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "kernel/sobol.h"
 #include "support/random.h"
 #include "support/statistics.h"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr int Rows = 20;
 constexpr int Columns = 40;
-constexpr int TestCount = 8;
+constexpr int TestCount = 11;
 
 // Draw a million points; `cellOf` says in which of Rows × Columns cells of equal probability each lies, as two
 // fractions in [0, 1).
@@ -71,6 +73,31 @@ TEST(SampleUniformTriangle, IsUniform) {
     return TriangleCell(b);
   });
 }
+
+// The fractions of a point of a polygon whose first corner is at `angle`: by area nearer to the middle, and along its
+// edges.
+glm::dvec2 PolygonCell(vec2 p, int corners, double angle) {
+  const double sector = 2 * std::numbers::pi / corners;
+  double turned = std::fmod(std::atan2(double(p.y), double(p.x)) - angle, 2 * std::numbers::pi);
+  if (turned < 0) turned += 2 * std::numbers::pi;
+  const double index = std::min(std::floor(turned / sector), double(corners - 1));
+  const double fromApothem = turned - (index + 0.5) * sector;
+  const double apothem = std::cos(sector / 2);
+  const double height = std::hypot(double(p.x), double(p.y)) * std::cos(fromApothem) / apothem;
+  const double along = 0.5 + 0.5 * std::tan(fromApothem) / std::tan(sector / 2);
+  EXPECT_LE(height, 1 + 1e-5);
+  return {height * height, (index + along) / corners};
+}
+
+class Polygon : public testing::TestWithParam<int> {};
+
+TEST_P(Polygon, IsUniform) {
+  ExpectUniform(34, [](vec2 u) {
+    return PolygonCell(SampleUniformPolygon(uint(GetParam()), 0.3f, u), GetParam(), 0.3);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Sampling, Polygon, testing::Values(3, 5, 8));
 
 class Cone : public testing::TestWithParam<double> {};
 

@@ -27,6 +27,13 @@ SCENE_FN Medium MediumOf(uint object) {
   return object == None ? params.surroundings : materials[objects[object].material].inside;
 }
 
+// The index for one wavelength, given as in PathState, by Cauchy's formula.
+SCENE_FN float MediumIor(uint object, float wavelength) {
+  if (object == None) return params.environment.ior;
+  LET(Material) material = materials[objects[object].material];
+  return material.ior + material.dispersion * wavelength;
+}
+
 // Beer and Lambert's law over a distance in metres, for the classic integrator, which does not show grids.
 SCENE_FN Spectrum MediumTransmittance(uint object, float distance) {
   if (object == None) return Spectrum(1.0f, 1.0f, 1.0f);

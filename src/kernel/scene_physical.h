@@ -33,7 +33,7 @@ SCENE_FN PhysicalPoint PhysicalAt(IN(Material) material, IN(RoleTexels) shown, S
   return point;
 }
 
-// What a surface lets pass; a physical one its transmission, tinted by the base's colour.
+// What a surface lets pass; a physical one its transmission, as path tracing tints it.
 SCENE_FN Spectrum TransparencyAt(IN(Material) material, IN(RoleTexels) shown,
                                  Spectrum vertexColor) {
   if (material.refractive == 0u) return Spectrum(0.0f, 0.0f, 0.0f);
@@ -42,8 +42,9 @@ SCENE_FN Spectrum TransparencyAt(IN(Material) material, IN(RoleTexels) shown,
   LET(Physical) physical = physicals[material.physical];
   float share = Clamp(ShownScalar(physical.transmission, shown, ROLE_TRANSMISSION), 0.0f, 1.0f) *
                 (1.0f - Clamp(ShownScalar(physical.metalness, shown, ROLE_METALNESS), 0.0f, 1.0f));
-  return physical.baseColor * ShownColor(shown, ROLE_BASE_COLOR) * vertexColor *
-         physical.transmissionColor * share;
+  Spectrum tint = physical.transmissionColor * ShownColor(shown, ROLE_TRANSMISSION_COLOR) * share;
+  if (physical.tintByBase == 0u) return tint;
+  return physical.baseColor * ShownColor(shown, ROLE_BASE_COLOR) * vertexColor * tint;
 }
 
 #endif

@@ -5,18 +5,14 @@
 #ifndef SNELL_KERNEL_SCENE_SURFACE_H
 #define SNELL_KERNEL_SCENE_SURFACE_H
 
-SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
+// The surface of a triangle at given barycentric coordinates.
+SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th) {
   LET(Triangle) triangle = triangles[hit.primitive];
   LET(Mesh) mesh = meshes[triangle.mesh];
   bool instanced = hit.instance != None;
-
-  // Find the barycentric coordinates in the space where the search found them
-  Ray ray = worldRay;
-  if (instanced) ray = ToLocalRay(instances[hit.instance].toWorld, worldRay.o, worldRay.d);
   vec3 p0 = positions[triangle.v0];
   vec3 p1 = positions[triangle.v1];
   vec3 p2 = positions[triangle.v2];
-  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), p0, p1, p2);
 
   SurfaceInteraction it;
   it.t = th.t;
@@ -117,10 +113,19 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   return it;
 }
 
-SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
-  if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
-  LET(Shape) shape = shapes[hit.primitive];
-  SurfaceInteraction it = ShapeSurface(shape, ray.o, ray.d, IntersectShape(shape, ray.o, ray.d));
+SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
+  // Find the barycentric coordinates in the space where the search found them
+  LET(Triangle) triangle = triangles[hit.primitive];
+  Ray ray = worldRay;
+  if (hit.instance != None)
+    ray = ToLocalRay(instances[hit.instance].toWorld, worldRay.o, worldRay.d);
+  return TriangleSurfaceAt(hit, IntersectTriangle(Shear(ray.o, ray.d), positions[triangle.v0],
+                                                  positions[triangle.v1], positions[triangle.v2]));
+}
+
+// The surface of an analytic shape where a ray meets it at t.
+SCENE_FN SurfaceInteraction ShapeSurfaceAt(IN(Shape) shape, IN(Ray) ray, float t) {
+  SurfaceInteraction it = ShapeSurface(shape, ray.o, ray.d, t);
   it.dpdv = Cross(it.ns, it.dpdu);
   it.tangent = it.dpdu;
   it.handedness = 1.0f;
@@ -130,6 +135,12 @@ SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
   it.color = Spectrum(1.0f, 1.0f, 1.0f);
   it.alpha = 1.0f;
   return it;
+}
+
+SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
+  if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
+  LET(Shape) shape = shapes[hit.primitive];
+  return ShapeSurfaceAt(shape, ray, IntersectShape(shape, ray.o, ray.d));
 }
 
 #endif

@@ -39,6 +39,18 @@ SCENE_FN RoleTexels TexelsAt(IN(Material) material, IN(SurfaceInteraction) it) {
   return shown;
 }
 
+// The normal that a texel of a normal map says, around the normal ns.
+SCENE_FN vec3 NormalOfTexel(IN(SurfaceInteraction) it, vec3 ns, vec4 texel, vec2 scale) {
+  float x = (2.0f * texel.x - 1.0f) * scale.x;
+  float y = (2.0f * texel.y - 1.0f) * scale.y;
+  float z = 2.0f * texel.z - 1.0f;
+  vec3 tangent = it.tangent - ns * Dot(it.tangent, ns);
+  if (LengthSquared(tangent) <= 0.0f) return ns;
+  tangent = Normalize(tangent);
+  vec3 n = tangent * x + Cross(ns, tangent) * (y * it.handedness) + ns * z;
+  return LengthSquared(n) > 0.0f ? FaceForward(Normalize(n), it.n) : ns;
+}
+
 // The shading normal after the material's maps; on the side of it.ns.
 SCENE_FN vec3 MappedNormal(IN(Material) material, IN(SurfaceInteraction) it, IN(RoleTexels) shown) {
   vec3 ns = it.ns;
@@ -59,18 +71,8 @@ SCENE_FN vec3 MappedNormal(IN(Material) material, IN(SurfaceInteraction) it, IN(
     vec3 n = Cross(dpdu, dpdv);
     if (LengthSquared(n) > 0.0f) ns = FaceForward(Normalize(n), ns);
   }
-  if (material.textures[ROLE_NORMAL] != None) {
-    vec4 texel = shown.at[ROLE_NORMAL];
-    float x = (2.0f * texel.x - 1.0f) * material.normalScale.x;
-    float y = (2.0f * texel.y - 1.0f) * material.normalScale.y;
-    float z = 2.0f * texel.z - 1.0f;
-    vec3 tangent = it.tangent - ns * Dot(it.tangent, ns);
-    if (LengthSquared(tangent) > 0.0f) {
-      tangent = Normalize(tangent);
-      vec3 n = tangent * x + Cross(ns, tangent) * (y * it.handedness) + ns * z;
-      if (LengthSquared(n) > 0.0f) ns = FaceForward(Normalize(n), it.n);
-    }
-  }
+  if (material.textures[ROLE_NORMAL] != None)
+    ns = NormalOfTexel(it, ns, shown.at[ROLE_NORMAL], material.normalScale);
   return ns;
 }
 

@@ -66,6 +66,35 @@ FN vec2 Sobol2D(uint index, uint seed) {
   return vec2(UnitFloat(x), UnitFloat(y));
 }
 
+// Point `index` of a row of independent random points, for comparison.
+FN vec2 IndependentSample2D(uint index, uint seed) {
+  uint x = HashCombine(seed, index);
+  return vec2(UnitFloat(x), UnitFloat(HashUint(x ^ 0x63d83595u)));
+}
+
+// The bits of x with a 0 before each; the 16 low ones count.
+FN uint SpreadBits(uint x) {
+  x &= 0xffffu;
+  x = (x | (x << 8)) & 0x00ff00ffu;
+  x = (x | (x << 4)) & 0x0f0f0f0fu;
+  x = (x | (x << 2)) & 0x33333333u;
+  return (x | (x << 1)) & 0x55555555u;
+}
+
+// Where in one sequence over all pixels a sample of one of them stands: pixels follow each other along Morton's curve,
+// each with 2^samplesLog2 points. So those of every square of pixels, too, are well distributed together, and what
+// errors remain differ between neighbours: noise without low frequencies (Ahmed and Wonka 2020, "Screen-space
+// blue-noise diffusion of Monte Carlo sampling error via hierarchical ordering of pixels"; the shuffle of
+// Sobol2D is their permutation of the squares). Where 32 bits end, and for more samples, another seed begins.
+FN uint PixelSampleIndex(uvec2 pixel, uint sampleNumber, uint samplesLog2, INOUT(uint) seed) {
+  uint side = (32u - samplesLog2) / 2u;
+  seed = HashCombine(HashCombine(seed, pixel.x >> side), pixel.y >> side);
+  seed = HashCombine(seed, sampleNumber >> samplesLog2);
+  uint low = (1u << side) - 1u;
+  uint place = SpreadBits(pixel.x & low) | (SpreadBits(pixel.y & low) << 1);
+  return (place << samplesLog2) | (sampleNumber & ((1u << samplesLog2) - 1u));
+}
+
 KERNEL_END
 
 #endif

@@ -195,5 +195,36 @@ TEST(HashUint, IsBijectiveAndChangesHalfTheBits) {
   EXPECT_EQ(seen.size(), 100000u);
 }
 
+// The samples of every square of pixels are well distributed together.
+TEST(PixelSampleIndex, StratifiesSquaresOfPixels) {
+  constexpr uint SamplesLog2 = 3;
+  for (const uvec2 corner : {uvec2(0, 0), uvec2(12, 40), uvec2(1020, 516)}) {
+    for (uint sizeLog2 = 0; sizeLog2 <= 2; ++sizeLog2) {
+      std::set<uint> indices;
+      uint seed = 0;
+      for (uint y = 0; y < 1u << sizeLog2; ++y)
+        for (uint x = 0; x < 1u << sizeLog2; ++x)
+          for (uint sample = 0; sample < 1u << SamplesLog2; ++sample) {
+            seed = 5;
+            const uvec2 pixel = corner / (1u << sizeLog2) * (1u << sizeLog2) + uvec2(x, y);
+            indices.insert(PixelSampleIndex(pixel, sample, SamplesLog2, seed));
+          }
+      const int m = int(2 * sizeLog2 + SamplesLog2);
+      ASSERT_EQ(indices.size(), std::size_t(1) << m);
+      EXPECT_EQ(*indices.rbegin() - *indices.begin(), (1u << m) - 1);
+      ExpectStratified(HashCombine(seed, 7u), *indices.begin(), m);
+    }
+  }
+}
+
+TEST(PixelSampleIndex, GoesOnWithOtherSeeds) {
+  uint first = 5, next = 5, far = 5;
+  PixelSampleIndex(uvec2(1, 2), 7, 3, first);
+  PixelSampleIndex(uvec2(1, 2), 8, 3, next);
+  PixelSampleIndex(uvec2(1 + (1 << 14), 2), 7, 3, far);
+  EXPECT_NE(first, next);
+  EXPECT_NE(first, far);
+}
+
 }  // namespace
 }  // namespace snell::kernel

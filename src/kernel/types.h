@@ -41,6 +41,7 @@ struct Object {
   uint mask;
   uint light;  // the area light that this surface is, or None
   Transform toWorld;
+  uint emitters;  // if it glows: this and a primitive's index give its emitter
 };
 
 CONST uint SHAPE_SPHERE = 0u;  // radius a around the origin of toWorld, whose axes are a rotation
@@ -193,9 +194,21 @@ CONST uint ROLE_COAT_ROUGHNESS = 12u;
 CONST uint ROLE_FUZZ_WEIGHT = 13u;
 CONST uint ROLE_FUZZ_COLOR = 14u;
 CONST uint ROLE_FUZZ_ROUGHNESS = 15u;
-CONST uint ROLE_SUBSURFACE = 16u;
-CONST uint ROLE_SUBSURFACE_COLOR = 17u;
-CONST uint RoleCount = 18u;
+CONST uint ROLE_ANISOTROPY = 16u;
+CONST uint ROLE_TRANSMISSION_COLOR = 17u;
+CONST uint ROLE_COAT_COLOR = 18u;
+CONST uint ROLE_COAT_NORMAL = 19u;
+CONST uint ROLE_FILM_WEIGHT = 20u;
+CONST uint ROLE_FILM_THICKNESS = 21u;
+CONST uint ROLE_DIFFUSE_TRANSMISSION = 22u;
+CONST uint ROLE_DIFFUSE_TRANSMISSION_COLOR = 23u;
+CONST uint ROLE_SUBSURFACE = 24u;
+CONST uint ROLE_SUBSURFACE_COLOR = 25u;
+CONST uint RoleCount = 26u;
+
+// How roughness and anisotropy make the widths of the microfacets' normals.
+CONST uint ANISOTROPY_OPENPBR = 0u;
+CONST uint ANISOTROPY_GLTF = 1u;
 
 // A physical (OpenPBR) material. The classic integrator shows a part of it (physical.h).
 struct Physical {
@@ -214,10 +227,19 @@ struct Physical {
   ScalarSource fuzzRoughness;
   // What only the path tracer shows
   float diffuseRoughness;
-  float anisotropy;
-  Spectrum coatColor;
+  ScalarSource anisotropy;
+  uint anisotropyModel;
+  uint anisotropyMapped;  // 1: its texture's red and green are the direction, from −1 to 1
+  vec2 anisotropyAxis;    // cosine and sine of the angle from the tangent to the direction
+  Spectrum coatColor;     // what is left of light that crosses the coat twice, at normal incidence
   float coatDarkening;
-  float diffuseTransmission;
+  float coatAnisotropy;
+  vec2 coatNormalScale;
+  ScalarSource filmWeight;
+  ScalarSource filmThickness;  // micrometres
+  float filmThicknessLeast;    // where the texture is 0
+  float filmIor;
+  ScalarSource diffuseTransmission;
   Spectrum diffuseTransmissionColor;
   Spectrum metalColor;
   ScalarSource subsurface;
@@ -255,7 +277,9 @@ struct Material {
   uint refractive;  // 1: some light passes
   uint thin;        // 1: a sheet without inside
   int priority;     // of the inside where objects overlap; the higher wins
-  float ior;
+  float ior;        // at 587.6 nm
+  float
+      dispersion;  // Cauchy's B, µm²: how the index grows with the inverse square of the wavelength
   Medium inside;
   uint container;  // 1: a boundary that is not seen, around a medium
   Spectrum emission;
@@ -303,27 +327,65 @@ struct Light {
   float oneMinusCos;  // directional: of half its angular size
   float factor;       // of the linear falloff
   float range;        // metres; 0: unlimited
-  uint found;         // 1: rays that meet its surface see what SampleLi samples
+  uint found;         // 1: rays that meet its surface, or its disc, see what SampleLi samples
+  uint nextSun;       // the next directional light that has a disc in the sky, or None
+  uint node;          // its leaf in the light tree, or None
+  uint next;          // directional: the next such light, or None
 };
 
-// A triangle that glows, one of those that the path tracer samples.
+// A triangle or a shape that glows, for the path tracer to sample.
 struct Emitter {
-  uint triangle;
-  uint instance;  // None: in world space
-  float last;     // of the powers up to and with this one, added up, as a share of all
+  uint primitive;  // as in Hit
+  uint instance;
+  uint node;   // its leaf in the light tree; None: met by chance alone
+  float area;  // m²; of a sphere, of its silhouette
 };
 
-// The background, by direction: from `bottom` to `top` over the sine of the elevation.
+CONST uint LIGHT_NODE_LEAF = 1u;
+CONST uint LIGHT_NODE_TWO_SIDED = 2u;
+
+// Sources of light that lie together, with bounds of where they are and whither they shine (light_tree.h).
+struct LightNode {
+  vec3 center;  // of a sphere around them
+  float radius;
+  vec3 axis;        // of a cone around the sources' normals,
+  float cosThetaO;  // its half angle,
+  float cosThetaE;  // and how far from its normal a source shines, at most 90°
+  vec3 power;       // intensity, as a share of all, by falloff: none, linear, inverse square
+  float reach;      // the largest range, metres; 0: unlimited
+  uint flags;
+  uint first;   // of its two children, which lie side by side; of a leaf: the source
+  uint parent;  // of the root: 0
+};
+
+CONST uint LIGHTS_BY_TREE = 0u;
+CONST uint LIGHTS_BY_POWER = 1u;
+
+// The background, by direction: from `bottom` to `top` over the sine of the elevation, or a map.
 struct Environment {
   Spectrum bottom;
   Spectrum top;
   float sinBottom;
   float sinTop;
-  float ior;  // of the space around the scene
+  float ior;       // of the space around the scene
+  uint visible;    // 1: rays from the camera see it
+  uint map;        // a picture of all directions (environment.h), or None
+  Spectrum scale;  // radiance of the map's 1, W/(sr·m²)
+  float turn;      // of the map about the y axis, in whole turns, counter-clockwise from above
+  float dull;      // the map's brightness that is left to chance (environment.h)
+  float density;   // of sampling, per solid angle, by a weight of 1; 0: it is not sampled
+  float share;     // of the samples of light that go to the map
+  uint tables;     // in the texels, for sampling (scene_environment.h)
+  uint firstSun;   // the first directional light that has a disc in the sky, or None
 };
 
 CONST uint CAMERA_PINHOLE = 0u;
 CONST uint CAMERA_ORTHOGRAPHIC = 1u;
+CONST uint CAMERA_PANORAMA = 2u;  // azimuth and elevation (equirectangular)
+CONST uint CAMERA_EQUIDISTANT =
+    3u;  // fisheyes: what is at the angle θ from the axis lies θ from the middle,
+CONST uint CAMERA_EQUISOLID = 4u;      // 2 sin(θ/2),
+CONST uint CAMERA_STEREOGRAPHIC = 5u;  // or 2 tan(θ/2)
 
 struct Camera {
   uint kind;
@@ -333,8 +395,16 @@ struct Camera {
   vec3 right;  // unit vectors
   vec3 up;
   vec3 forward;
-  vec2
-      extent;  // half the width and height: of the plane at distance 1, or of the view (orthographic)
+  // Half the width and height of what is seen, and its middle: of the plane at distance 1 (pinhole), in metres
+  // (orthographic), in radians (panorama) or in distances from the axis (fisheyes)
+  vec2 extent;
+  vec2 center;
+  float rim;  // fisheyes: the distance from the axis beyond which no light arrives
+  // The thin lens of pinhole and orthographic cameras
+  vec2 aperture;     // half its width and height, metres; 0: everything is sharp
+  float focus;       // distance along `forward` of the plane that is sharp, metres
+  uint blades;       // corners of the aperture, on the ellipse; 0: it is round
+  float bladeAngle;  // of its first corner from `right`, radians
 };
 
 // Entries of the pixel filter's quantile function: 32 to the octave from 2⁻²⁴ to ½, and one more.
@@ -346,15 +416,19 @@ struct RenderParams {
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
   uint lightCount;
-  uint emitterCount;
-  float
-      emitterPower;  // of all emitters: their areas times the brightest channels of their radiance
+  uint lightNodeCount;    // 0: there is no light tree
+  uint firstDirectional;  // the first directional light, or None
+  uint lightSampling;     // how the path tracer chooses among the tree's sources
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
   uint maxVolumeDepth;    // scatterings in media along a path
   Medium surroundings;    // around all objects; only the path tracer shows it
   float minContribution;  // branches that can add less than this are cut
+  float clampIndirect;  // the path tracer's limit to what one find of indirect light adds; 0: none
   uint seed;
+  uint independentSamples;  // 1: the path tracer takes random numbers in place of a sequence
+  uint
+      samplesLog2;  // a power of two of samples per pixel, of which the path tracer makes one set; 0 to 20
   float coneWidth;   // of camera rays: their diameter at the start, in metres,
   float coneSpread;  // and how it grows with the distance
   float filterQuantiles[FilterQuantileCount];  // pixels; scene_filter.h

@@ -15,6 +15,7 @@
 #include "kernel/image.h"
 #include "kernel/interface.h"
 #include "kernel/light.h"
+#include "kernel/light_tree.h"
 #include "kernel/medium.h"
 #include "kernel/path_state.h"
 #include "kernel/path_vertex.h"
@@ -26,6 +27,7 @@
 #include "kernel/shape.h"
 #include "kernel/sobol.h"
 #include "kernel/subsurface.h"
+#include "kernel/thin_film.h"
 #include "kernel/triangle.h"
 #include "kernel/whitted_state.h"
 

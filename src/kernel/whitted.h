@@ -16,7 +16,6 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   s.dropped = 0u;
   s.waiting = 0u;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
-  s.rays.camera = 0u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
   s.rays.shadow = 0u;
@@ -25,13 +24,19 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   vec2 u = Sobol2D(sampleIndex, HashCombine(s.seed, 0u));
   vec2 offset = SamplePixelFilter(u);
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
-  s.branch.ray = GenerateRay(params.camera, place);
-  s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f);
+  vec2 lens = vec2(0.0f, 0.0f);
+  if (HasLens(params.camera)) {
+    lens = Sobol2D(sampleIndex, HashCombine(s.seed, s.dimension));
+    s.dimension += 1u;
+  }
+  CameraRay start = GenerateRay(params.camera, place, lens);
+  s.branch.ray = start.ray;
+  s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.branch.depth = 1u;
   s.branch.coneWidth = params.coneWidth;
   s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
-  s.alive = 1u;
-  s.rays.camera += 1u;
+  s.alive = start.weight > 0.0f ? 1u : 0u;
+  s.rays.camera = s.alive;
 }
 
 // Go on with the branch that waited last, or end.
@@ -148,7 +153,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Ray ray = branch.ray;
   Hit hit = ClosestHit(ray, Infinite, branch.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    s.L += branch.weight * EnvironmentLe(params.environment, ray.d);
+    s.L += branch.weight * BackgroundLe(ray.d, branch.depth == 1u);
     WhittedNext(s);
     return;
   }

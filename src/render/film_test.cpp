@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Film and the order of work: means of samples, tiles that cover each pixel once, passes that add up.
+// Film and the order of work: means, halves and variance of samples, sums in any order, tiles that cover each pixel
+// once.
 #include "render/film.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +19,9 @@ using kernel::Spectrum;
 TEST(Film, HoldsTheMeanOfTheSamples) {
   Film film({3, -2, 6, 0});
   EXPECT_EQ(film.SampleCount(3, -2), 0u);
-  film.Add(3, -2, Spectrum(1, 2, 3));
-  film.Add(3, -2, Spectrum(3, 2, 0));
-  film.Add(5, -1, Spectrum(7.0f));
+  film.Add(3, -2, 0, Spectrum(1, 2, 3));
+  film.Add(3, -2, 1, Spectrum(3, 2, 0));
+  film.Add(5, -1, 0, Spectrum(7.0f));
   const image::Image image = film.ToImage();
   ASSERT_EQ(image.width, 3);
   ASSERT_EQ(image.height, 2);
@@ -34,8 +35,55 @@ TEST(Film, HoldsTheMeanOfTheSamples) {
 
 TEST(Film, KeepsTheMeanOfManySamples) {
   Film film({0, 0, 1, 1});
-  for (int i = 0; i < 100000; ++i) film.Add(0, 0, Spectrum(0.1f));
+  for (std::uint32_t i = 0; i < 100000; ++i) film.Add(0, 0, i, Spectrum(0.1f));
   EXPECT_NEAR(film.ToImage().pixels[0].x, 0.1f, 0.1f * 1e-2f);
+}
+
+TEST(Film, AddsUpTheSameInAnyOrder) {
+  // Numbers of very different sizes, as plain sums of doubles would lose them
+  std::vector<double> values;
+  for (int i = 0; i < 300; ++i)
+    values.push_back(std::ldexp(1.0 + i % 7, i % 90 - 55) * (i % 3 - 1));
+  ExactSum forward, backward, left, right;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    forward.Add(values[i]);
+    backward.Add(values[values.size() - 1 - i]);
+    (i % 2 == 0 ? left : right).Add(values[i]);
+  }
+  left.Add(right);
+  EXPECT_EQ(forward, backward);
+  EXPECT_EQ(forward, left);
+}
+
+TEST(ExactSum, IsExactWhereFloatsAre) {
+  for (const float value : {0.0f, 1.0f, -0.375f, 123456.789f, 0x1p-30f, 0x1.fffffep37f}) {
+    ExactSum sum;
+    for (int i = 0; i < 3; ++i) sum.Add(double(value));
+    EXPECT_EQ(sum.Value(), 3 * double(value));
+  }
+  ExactSum most;
+  most.Add(1e300);
+  most.Add(-3e38);
+  most.Add(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(most.Value(), ExactSum::Largest) << "held within its range";
+}
+
+TEST(Film, KeepsHalvesAndVariance) {
+  Film film({0, 0, 1, 1});
+  // The halves take blocks of eight in turns: A B B A
+  double sum = 0, squares = 0, first = 0;
+  for (std::uint32_t i = 0; i < 32; ++i) {
+    const float value = float(i * i % 11) / 4;
+    film.Add(0, 0, i, Spectrum(value, 2 * value, 0));
+    sum += double(value);
+    squares += double(value) * double(value);
+    if (i < 8 || i >= 24) first += double(value);
+  }
+  EXPECT_EQ(film.HalfImage(true).pixels[0], Spectrum(glm::dvec3(first, 2 * first, 0) / 16.0));
+  EXPECT_EQ(film.HalfImage(false).pixels[0],
+            Spectrum(glm::dvec3(sum - first, 2 * (sum - first), 0) / 16.0));
+  EXPECT_NEAR(film.SampleVariance(0, 0), (squares - sum * sum / 32) / 31, 1e-12);
+  EXPECT_EQ(Film({0, 0, 1, 1}).SampleVariance(0, 0), 0);
 }
 
 int Overlap(const PixelRect& a, const PixelRect& b) {
@@ -71,33 +119,6 @@ TEST(TilesInOrder, GoToNeighboursInASquareOfAPowerOfTwo) {
   for (std::size_t i = 1; i < tiles.size(); ++i)
     EXPECT_EQ(std::abs(tiles[i].x0 - tiles[i - 1].x0) + std::abs(tiles[i].y0 - tiles[i - 1].y0),
               16);
-}
-
-TEST(Passes, AddUpAndBeginSmall) {
-  constexpr std::uint32_t Last = std::numeric_limits<std::uint32_t>::max();
-  for (const auto& [first, last] : {std::pair(0u, 0u),
-                                    {0u, 1u},
-                                    {0u, 2u},
-                                    {0u, 16u},
-                                    {0u, 1000u},
-                                    {5u, 6u},
-                                    {7u, 300u},
-                                    {Last - 10, Last}}) {
-    std::uint32_t next = first;
-    for (const SampleRange& pass : Passes(first, last)) {
-      EXPECT_EQ(pass.first, next);
-      EXPECT_LT(pass.first, pass.last);
-      EXPECT_LE(pass.last - pass.first, 64u);
-      next = pass.last;
-    }
-    EXPECT_EQ(next, last);
-  }
-  const std::vector<SampleRange> passes = Passes(0, 16);
-  ASSERT_GE(passes.size(), 4u);
-  EXPECT_EQ(passes[0].last, 1u);
-  EXPECT_EQ(passes[1].last, 2u);
-  EXPECT_EQ(passes[2].last, 4u);
-  EXPECT_EQ(passes[3].last, 8u);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "render/film.h"
+#include "render/schedule.h"
 #include "render/statistics.h"
 #include "scene/scene.h"
 #include "util/progress.h"
@@ -16,9 +18,14 @@ namespace snell::render {
 struct RenderRequest {
   scene::RenderSettings settings;  // valid (scene/validate.h)
   scene::Camera camera;
-  PixelRect rect;  // pixels to render; within the picture
-  std::uint32_t firstSample = 0;
-  std::uint32_t lastSample = 0;  // one past the last
+  PixelRect rect;                // pixels to render; within the picture
+  std::uint32_t lastSample = 0;  // one past the last; the film says which is the first
+  StopConditions stop = {};
+  SavePlan save = {};
+  // Compare what samples depend on with what the film says, or enter it there if that says nothing
+  bool wantsOrigin = false;
+  std::string program = {};   // its name and version, for that
+  std::string filmFile = {};  // that the film was read from, for messages
 };
 
 class Renderer {
@@ -26,8 +33,8 @@ class Renderer {
   virtual ~Renderer() = default;
 
   // Render into `film`, which covers `request.rect`. Samples are added in passes over the whole picture,
-  // so that a render that is stopped early leaves a complete, coarser picture. Returns what was done;
-  // throws Error on faults of the scene, the device or memory.
+  // so that a render that is stopped early leaves a complete, coarser picture. A film with samples is gone on
+  // with. Returns what was done; throws Error on faults of the scene, the device or memory.
   virtual Statistics Render(const scene::Scene& scene, const RenderRequest& request, Film& film,
                             Progress* progress, const StopFlag* stop) = 0;
 };

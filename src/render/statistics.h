@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/types.h"
+#include "render/schedule.h"
 
 namespace snell::render {
 
@@ -40,10 +41,12 @@ struct NonFiniteSample {
 };
 
 struct Statistics {
+  End end = End::Samples;
   RayTotals rays;
   std::uint64_t samples = 0;
   std::uint64_t nonFiniteSamples = 0;
   std::vector<NonFiniteSample> nonFinite;  // the first few of them
+  double heldBack = 0;          // of all light: the share that clampIndirect has removed
   std::uint64_t droppedBranches = 0;       // of ray trees too wide for the integrator's stack
   std::uint64_t droppedPrimitives = 0;     // with coordinates that are not finite
 

@@ -2,6 +2,7 @@
 #include "render/tiles.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace snell::render {
@@ -44,18 +45,6 @@ std::vector<PixelRect> TilesInOrder(PixelRect rect, int size) {
   std::vector<PixelRect> tiles;
   for (const auto& [key, tile] : keyed) tiles.push_back(tile);
   return tiles;
-}
-
-std::vector<SampleRange> Passes(std::uint32_t first, std::uint32_t last) {
-  std::vector<SampleRange> passes;
-  std::uint32_t size = 1;
-  while (first < last) {
-    const std::uint32_t end = first + std::min(size, last - first);
-    passes.push_back({first, end});
-    if (passes.size() > 1) size = std::min(2 * size, 64u);
-    first = end;
-  }
-  return passes;
 }
 
 }  // namespace snell::render

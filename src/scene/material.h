@@ -148,13 +148,15 @@ struct OpenPbr {
   ScalarInput specularRoughness{0.3f};
   float specularIor = 1.5f;
   ScalarInput specularRoughnessAnisotropy{0};
-  // glTF's anisotropy texture: its red and green are the direction, which is turned by this angle (radians)
-  TextureIndex anisotropyDirection = -1;
-  float anisotropyRotation = 0;
+  bool anisotropyOfGltf =
+      false;  // which widths roughness and anisotropy stand for (kernel/microfacet.h)
+  bool anisotropyMapped = false;  // the texture's red and green are the direction, from −1 to 1
+  float anisotropyRotation = 0;   // radians, from the tangent
 
   ScalarInput transmissionWeight{0};
-  Spectrum transmissionColor{1.0f};
-  float transmissionDepth = 0;  // metres; 0: the colour tints the surface
+  ColorInput transmissionColor{Spectrum(1.0f)};
+  bool transmissionTintedByBase = false;  // glTF: the base's colour tints what passes the surface
+  float transmissionDepth = 0;            // metres; 0: the colour tints the surface
   Spectrum transmissionScatter{0.0f};
   float transmissionScatterAnisotropy = 0;
   float transmissionDispersionScale = 0;
@@ -172,6 +174,7 @@ struct OpenPbr {
   ScalarInput coatWeight{0};
   ColorInput coatColor{Spectrum(1.0f)};
   ScalarInput coatRoughness{0};
+  float coatRoughnessAnisotropy = 0;
   float coatIor = 1.6f;
   float coatDarkening = 1;
   ReliefMap coatNormal;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,7 +39,9 @@ struct Light {
   float falloffFactor = 1;  // linear: irradiance = intensity / (distance · factor)
   float range = 0;          // metres, 0 = unlimited
   int samples = 4;          // shadow rays per camera sample, for lights with an extent
-  bool visible = true;      // area lights: seen by the camera and in mirrors
+  // Areas are seen by the camera and in mirrors; so is the disc of a directional light, but, unless it is the
+  // sun of a sky, not by the classic integrator
+  bool visible = true;
   vec3 position{0.0f};  // point, spot; centre of disk and sphere; corner of rectangle and triangle
   vec3 direction{0, -1, 0};  // that the light travels in; the normal of disk; unit length
   vec3 edgeU{1, 0, 0};       // rectangle and triangle; their normal is U × V
@@ -150,7 +153,25 @@ struct Object {
 
 // --- Camera, surroundings, settings ---------------------------------------------------------------------
 
-enum class CameraKind { Pinhole, Orthographic };
+enum class CameraKind { Pinhole, Orthographic, Panorama, Fisheye };
+enum class FovAxis { Vertical, Horizontal };
+
+// How far from the middle a fisheye shows what is at the angle θ from its axis.
+enum class FisheyeProjection {
+  Equidistant,    // θ
+  Equisolid,      // 2 sin(θ/2)
+  Stereographic,  // 2 tan(θ/2)
+};
+
+// A thin lens behind an aperture; of pinhole and orthographic cameras.
+struct Lens {
+  float radius = 0;         // of the aperture, metres; 0: everything is sharp
+  float focusDistance = 0;  // along the line of sight, metres
+  int blades = 0;           // corners of the aperture, at its radius; 0: it is round
+  float bladeRotation =
+      0;            // counter-clockwise seen from behind the camera, radians; 0: a corner is on top
+  float ratio = 1;  // the aperture's width to its height
+};
 
 struct Camera {
   std::string name;
@@ -158,8 +179,18 @@ struct Camera {
   vec3 position{0, 0, 5};
   vec3 lookAt{0.0f};
   vec3 up{0, 1, 0};
-  float fov = 0.698f;  // pinhole: vertical angle of view, radians
-  float height = 2;    // orthographic: height of the view, metres
+  float fov = 0.698f;  // pinhole: angle of view; fisheye: across its circle; radians
+  FovAxis fovAxis = FovAxis::Vertical;  // pinhole
+  float height = 2;                     // orthographic: height of the view, metres
+  vec2 shift{0.0f};  // pinhole, orthographic: of the picture's middle, in its widths and heights
+  // Panorama: what its left and right edges show, radians to the right of the line of sight, and its lower and
+  // upper edges, radians above it
+  vec2 longitude{-3.14159265f, 3.14159265f};
+  vec2 latitude{-1.57079633f, 1.57079633f};
+  FisheyeProjection projection = FisheyeProjection::Equidistant;
+  bool fullFrame =
+      false;  // fisheye: its circle goes through the corners; else it touches the longer sides
+  Lens lens;
 };
 
 // What is seen behind everything, and the index of refraction of the space around the objects.
@@ -169,25 +200,39 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
-  Medium medium;  // around all objects
+  ImageIndex map = -1;      // of all directions (kernel/environment.h), in place of the colours
+  Spectrum mapScale{1.0f};  // W/(sr·m²) of its 1
+  float rotation = 0;       // of the map: radians about +y, counter-clockwise from above
+  int sun = -1;             // the light that is the sun of a sky; -1: none
+  bool visible = true;      // to the camera; mirrors show it in any case
+  bool ambient = false;     // its mean is ambient light to the classic integrator
+  Medium medium;            // around all objects
 };
 
 enum class Integrator { Whitted, Path };
+enum class Sampler { Sobol, Independent };  // of the path tracer
+// How the path tracer chooses among sources of light: by what each can bring to the point, or by power alone.
+enum class LightSampling { Tree, Power };
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.
 struct RenderSettings {
   int width = 800;
   int height = 600;
-  int spp = 16;  // samples per pixel
-  Integrator integrator = Integrator::Whitted;
+  // What is left open is filled in by the materials (settings.h)
+  int spp = 0;  // samples per pixel; 0: open
+  std::optional<Integrator> integrator;
   int maxDepth = 16;               // 1: rays from the camera only
   int maxVolumeDepth = 1024;       // scatterings in media along a path
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
+  Sampler sampler = Sampler::Sobol;
+  float clampIndirect =
+      0;  // path: the most that one find of indirect light adds, W/(sr·m²); 0: any
   PixelFilter filter = PixelFilter::BlackmanHarris;
   float filterRadius = 0;  // pixels; 0: the filter's usual one
   float exposure = 0;      // stops, for pictures that are not linear
   bool tintedShadows = true;
+  LightSampling lightSampling = LightSampling::Tree;
   std::uint32_t seed = 0;
 };
 

@@ -40,6 +40,11 @@ class Checker {
     Require(Finite(scene_.environment.bottomElevation) && Finite(scene_.environment.topElevation) &&
                 scene_.environment.bottomElevation < scene_.environment.topElevation,
             "the environment's gradient needs its bottom below its top");
+    Require(scene_.environment.map >= -1 && scene_.environment.map < int(scene_.images.size()) &&
+                scene_.environment.sun >= -1 && scene_.environment.sun < int(scene_.lights.size()),
+            "the environment refers to a picture or a light that does not exist");
+    Require(NonNegative(scene_.environment.mapScale) && Finite(scene_.environment.rotation),
+            "the environment's map needs a finite strength and rotation");
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     CheckMedium(scene_.environment.medium, "the surroundings' medium");
@@ -55,11 +60,13 @@ class Checker {
   void CheckSettings(const RenderSettings& s) {
     Require(s.width > 0 && s.height > 0 && s.width <= 65536 && s.height <= 65536,
             fmt::format("the picture's size {}×{} is not between 1 and 65536", s.width, s.height));
-    Require(s.spp > 0, "the samples per pixel must be at least 1");
+    Require(s.spp >= 0, "the samples per pixel must not be negative");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
     Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
+    Require(Finite(s.clampIndirect) && s.clampIndirect >= 0,
+            "the limit of indirect light must not be negative");
     Require(Finite(s.filterRadius) && s.filterRadius >= 0,
             "the filter's radius must not be negative");
     Require(Finite(s.exposure), "the exposure must be finite");
@@ -89,12 +96,38 @@ class Checker {
                   1e-9 * glm::length(glm::dvec3(forward)) * glm::length(glm::dvec3(camera.up)),
               bad("looks along its up vector"));
     }
-    if (camera.kind == CameraKind::Pinhole) {
-      Require(Positive(camera.fov) && camera.fov < 3.1415f,
-              bad("needs a field of view between 0 and 180 degrees"));
-    } else {
-      Require(Positive(camera.height), bad("needs a positive height"));
+    switch (camera.kind) {
+      case CameraKind::Pinhole:
+        Require(Positive(camera.fov) && camera.fov < 3.1415f,
+                bad("needs a field of view between 0 and 180 degrees"));
+        break;
+      case CameraKind::Orthographic:
+        Require(Positive(camera.height), bad("needs a positive height"));
+        break;
+      case CameraKind::Panorama: {
+        const float width = std::abs(camera.longitude.y - camera.longitude.x);
+        Require(width > 0 && width < 6.2832f && std::abs(camera.longitude.x) < 12.6f,
+                bad("needs two longitudes, at most 360 degrees apart"));
+        Require(camera.latitude.x >= -1.5708f && camera.latitude.x < camera.latitude.y &&
+                    camera.latitude.y <= 1.5708f,
+                bad("needs latitudes that rise, from -90 to 90 degrees"));
+        break;
+      }
+      case CameraKind::Fisheye: {
+        const bool open = camera.projection == FisheyeProjection::Stereographic;
+        Require(Positive(camera.fov) && camera.fov < (open ? 6.2831f : 6.2832f),
+                bad("needs an angle of view above 0 and up to 360 degrees"));
+        break;
+      }
     }
+    Require(std::isfinite(camera.shift.x) && std::isfinite(camera.shift.y),
+            bad("needs a finite shift"));
+    const Lens& lens = camera.lens;
+    Require(Finite(lens.radius) && lens.radius >= 0 && lens.blades >= 0 && lens.blades != 1 &&
+                lens.blades != 2 && Finite(lens.bladeRotation) && Positive(lens.ratio),
+            bad("needs an aperture that is round or has three blades or more"));
+    Require(lens.radius == 0 || Positive(lens.focusDistance),
+            bad("needs a positive distance of focus"));
   }
 
   void CheckLight(const Light& light) {
@@ -220,8 +253,9 @@ class Checker {
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {
-    for (const ColorInput* color : {&m.baseColor, &m.specularColor, &m.diffuseTransmissionColor,
-                                    &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
+    for (const ColorInput* color :
+         {&m.baseColor, &m.specularColor, &m.transmissionColor, &m.diffuseTransmissionColor,
+          &m.subsurfaceColor, &m.coatColor, &m.fuzzColor, &m.emission})
       CheckColor(*color, false, what);
     for (const ScalarInput* input :
          {&m.baseMetalness, &m.specularWeight, &m.specularRoughness, &m.specularRoughnessAnisotropy,
@@ -229,15 +263,19 @@ class Checker {
           &m.coatRoughness, &m.fuzzWeight, &m.fuzzRoughness, &m.thinFilmWeight,
           &m.thinFilmThickness})
       Require(Sound(*input), fmt::format("{} has a weight that is not sound", what));
-    Require(IsTexture(m.anisotropyDirection) && IsTexture(m.coatNormal.texture),
+    Require(IsTexture(m.coatNormal.texture),
             fmt::format("{} refers to a texture that does not exist", what));
     Require(Positive(m.specularIor) && Positive(m.coatIor) && Positive(m.thinFilmIor),
             fmt::format("{} needs positive indices of refraction", what));
     Require(Finite(m.transmissionDepth) && m.transmissionDepth >= 0 &&
-                NonNegative(m.transmissionColor) && NonNegative(m.transmissionScatter) &&
+                NonNegative(m.transmissionColor.value) && NonNegative(m.transmissionScatter) &&
                 Finite(m.transmissionScatterAnisotropy) && Positive(m.subsurfaceRadius) &&
                 NonNegative(m.subsurfaceRadiusScale) && Finite(m.subsurfaceScatterAnisotropy) &&
-                Finite(m.baseWeight) && m.baseWeight >= 0,
+                Finite(m.baseWeight) && m.baseWeight >= 0 && Finite(m.thinFilmThicknessLeast) &&
+                m.thinFilmThicknessLeast >= 0 && Finite(m.transmissionDispersionScale) &&
+                m.transmissionDispersionScale >= 0 && Finite(m.transmissionDispersionAbbeNumber) &&
+                m.transmissionDispersionAbbeNumber >= 0 && Finite(m.coatRoughnessAnisotropy) &&
+                Finite(m.anisotropyRotation),
             fmt::format("{} needs finite numbers that are not negative", what));
   }
 
@@ -309,6 +347,7 @@ class Checker {
 // Whether any light, emission or background can reach the camera.
 bool HasLight(const Scene& scene) {
   if (!scene.lights.empty()) return true;
+  if (scene.environment.map >= 0) return true;
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {

@@ -86,7 +86,7 @@ const std::vector<Fault>& Faults() {
   static const std::vector<Fault> faults = {
       {"size 0×600", [](Scene& s) { s.settings.width = 0; }},
       {"size 800×65537", [](Scene& s) { s.settings.height = 65537; }},
-      {"samples per pixel", [](Scene& s) { s.settings.spp = 0; }},
+      {"samples per pixel", [](Scene& s) { s.settings.spp = -1; }},
       {"maximum depth", [](Scene& s) { s.settings.maxDepth = 0; }},
       {"minimum contribution", [](Scene& s) { s.settings.minContribution = NaN; }},
       {"minimum contribution", [](Scene& s) { s.settings.minContribution = -1; }},
@@ -187,7 +187,7 @@ TEST(Validate, FindsEachFaultAlone) {
 
 TEST(Validate, TellsAllFaultsInOneGo) {
   Scene scene = Sound();
-  scene.settings.spp = 0;
+  scene.settings.spp = -1;
   scene.cameras[1].height = 0;
   scene.materials[0].ior = -1;
   scene.objects[2].material = 7;

@@ -30,7 +30,7 @@ TEST(Dice, FollowsTheCamera) {
   scene::Camera camera;
   camera.position = {2, 0, 0};
   Measure measure(Affine(1.0));
-  measure.AddEye(View(camera, 100), Affine(1.0));
+  measure.AddEye(View(camera, 100, 100), Affine(1.0));
   Mesh mesh = Cube();
   EXPECT_TRUE(Dice(mesh, measure, {4, 0}, Plenty));
   EXPECT_EQ(OpenSides(mesh), 0);

@@ -7,6 +7,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "scene/camera.h"
+
 namespace snell::tessellate {
 
 using glm::dmat3;
@@ -15,12 +17,10 @@ using glm::dvec3;
 // Of many instances, the first ones alone say how near the camera comes.
 constexpr std::size_t MostEyes = 64;
 
-View::View(const scene::Camera& camera, int pixelsUpright)
-    : eye(camera.position), isOrthographic(camera.kind == scene::CameraKind::Orthographic) {
-  const double height =
-      isOrthographic ? double(camera.height) : 2 * std::tan(double(camera.fov) / 2);
-  pixel = height / std::max(pixelsUpright, 1);
-}
+View::View(const scene::Camera& camera, int width, int height)
+    : eye(camera.position),
+      isOrthographic(camera.kind == scene::CameraKind::Orthographic),
+      pixel(2 * scene::HalfExtent(camera, width, height).y / std::max(height, 1)) {}
 
 static dmat3 MetricOf(const scene::Affine& toWorld) {
   const dmat3 linear(toWorld);

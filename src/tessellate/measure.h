@@ -13,11 +13,12 @@ namespace snell::tessellate {
 
 // What the camera tells of sizes.
 struct View {
-  View(const scene::Camera& camera, int pixelsUpright);
+  View(const scene::Camera& camera, int width, int height);
 
   glm::dvec3 eye;
   bool isOrthographic;
-  double pixel;  // its height in metres: a metre from the eye, or anywhere (orthographic)
+  double
+      pixel;  // its height in metres: a metre from the eye, on the line of sight, or anywhere (orthographic)
 };
 
 // Instances of a mesh whose transforms differ by no more than rotation, reflection and translation.

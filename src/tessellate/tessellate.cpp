@@ -211,7 +211,7 @@ class Tessellator {
 FinerMeshes Tessellate(const scene::Scene& scene, const scene::RenderSettings& settings,
                        const scene::Camera& camera, const TextureLookup& lookup,
                        std::uint64_t mostTriangles) {
-  const View view(camera, settings.height);
+  const View view(camera, settings.width, settings.height);
   try {
     return Tessellator(scene, view, lookup, mostTriangles).Tessellate();
   } catch (const std::bad_alloc&) {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <iterator>
 #include <system_error>
@@ -144,6 +146,25 @@ void AtomicFile::Commit() {
 
 void AtomicFile::Fail(const char* verb) {
   throw Error(fmt::format("cannot {} the file: {}", verb, Reason()), {path_.string()});
+}
+
+void RemoveAbandoned(const fs::path& path) {
+  std::error_code fault;
+  const std::string prefix = path.filename().string() + ".partial-";
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<fs::path> abandoned;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const std::string_view digits = std::string_view(name).substr(prefix.size());
+    pid_t process = 0;
+    const auto [end, failed] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    if (failed == std::errc() && end == digits.data() + digits.size() && process > 0 &&
+        ::kill(process, 0) != 0 && errno == ESRCH)
+      abandoned.push_back(entry.path());
+  }
+  for (const fs::path& file : abandoned) fs::remove(file, fault);
 }
 
 void CheckFileWritable(const fs::path& path) {

@@ -57,6 +57,9 @@ class AtomicFile {
   std::FILE* stream_ = nullptr;
 };
 
+// Remove what writers of this file have left that were killed: "NAME.partial-PID" of processes that are gone.
+void RemoveAbandoned(const std::filesystem::path& path);
+
 // Throws the Error that writing the file would begin with, and leaves it as it is. A device or a pipe is
 // not opened: its reader would take that for all.
 void CheckFileWritable(const std::filesystem::path& path);

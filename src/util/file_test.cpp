@@ -262,5 +262,18 @@ TEST(LowerExtension, IsThatOfTheLastPart) {
   EXPECT_EQ(LowerExtension(""), "");
 }
 
+TEST_F(WritingFiles, LeavesNothingOfKilledWriters) {
+  // No process has so high a number
+  Write("a.film.partial-2147483647", "half");
+  Write("a.film.partial-" + std::to_string(::getpid()), "being written");
+  Write("a.film.partial-12x", "something else");
+  Write("b.film.partial-2147483647", "of another file");
+  RemoveAbandoned(Path("a.film"));
+  EXPECT_FALSE(Exists("a.film.partial-2147483647"));
+  EXPECT_TRUE(Exists("a.film.partial-" + std::to_string(::getpid())));
+  EXPECT_TRUE(Exists("a.film.partial-12x"));
+  EXPECT_TRUE(Exists("b.film.partial-2147483647"));
+}
+
 }  // namespace
 }  // namespace snell

@@ -60,17 +60,29 @@ struct BruteForceKernel {
   const Texture* textures;
   const Image* images;
   const uint* texels;
+  const Grid* grids;
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
+  const LightNode* lightNodes;
   WhittedBranch branches[WhittedStackSize];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
+#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
+#include "kernel/path_medium.h"
+#include "kernel/path_sample.h"
+#include "kernel/path_shadow.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
+#include "kernel/scene_frame.h"
+#include "kernel/scene_grid.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
@@ -109,17 +121,30 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene) {
 }
 
 BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t sample) {
-  BruteForceKernel kernel{scene.params,           CountsOf(scene),
-                          scene.objects.data(),   scene.shapes.data(),
-                          scene.instances.data(), scene.meshes.data(),
-                          scene.triangles.data(), scene.positions.data(),
-                          scene.normals.data(),   scene.uvs.data(),
-                          scene.tangents.data(),  scene.colors.data(),
-                          scene.materials.data(), scene.terms.data(),
-                          scene.physicals.data(), scene.textures.data(),
-                          scene.images.data(),    scene.texels.data(),
-                          scene.lights.data(),    scene.emitters.data(),
-                          scene.albedos.data(),   {}};
+  BruteForceKernel kernel{scene.params,
+                          CountsOf(scene),
+                          scene.objects.data(),
+                          scene.shapes.data(),
+                          scene.instances.data(),
+                          scene.meshes.data(),
+                          scene.triangles.data(),
+                          scene.positions.data(),
+                          scene.normals.data(),
+                          scene.uvs.data(),
+                          scene.tangents.data(),
+                          scene.colors.data(),
+                          scene.materials.data(),
+                          scene.terms.data(),
+                          scene.physicals.data(),
+                          scene.textures.data(),
+                          scene.images.data(),
+                          scene.texels.data(),
+                          scene.grids.data(),
+                          scene.lights.data(),
+                          scene.emitters.data(),
+                          scene.albedos.data(),
+                          scene.lightNodes.data(),
+                          {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
   for (uint y = 0; y < resolution.y; ++y) {

@@ -109,8 +109,11 @@ TEST(Coverage, Materials) {
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.termCount > CachedTerms; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.priority > 1; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.extinction.x > 0; }));
-  for (const uint role : {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY,
-                          ROLE_NORMAL, ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS})
+  for (const uint role :
+       {ROLE_EMISSION, ROLE_REFLECTIVITY, ROLE_TRANSPARENCY, ROLE_OPACITY, ROLE_NORMAL,
+        ROLE_BASE_COLOR, ROLE_METALNESS, ROLE_ROUGHNESS, ROLE_ANISOTROPY, ROLE_TRANSMISSION_COLOR,
+        ROLE_COAT_COLOR, ROLE_COAT_NORMAL, ROLE_FILM_WEIGHT, ROLE_FILM_THICKNESS,
+        ROLE_DIFFUSE_TRANSMISSION, ROLE_DIFFUSE_TRANSMISSION_COLOR})
     EXPECT_TRUE(
         any_of(materials, [&](const Material& m) { return m.textures[role] != kernel::None; }));
 }
@@ -138,9 +141,13 @@ TEST(Coverage, PhysicalMaterialsAndMaps) {
   for (const auto offset : {&Mesh::uvs1, &Mesh::tangents, &Mesh::colors})
     EXPECT_TRUE(any_of(meshes, [&](const Mesh& m) { return m.*offset != kernel::None; }));
   const auto physicals = Every(&FlatScene::physicals);
-  for (const auto source : {&Physical::metalness, &Physical::transmission, &Physical::coatWeight,
-                            &Physical::fuzzWeight})
+  for (const auto source :
+       {&Physical::metalness, &Physical::transmission, &Physical::coatWeight, &Physical::fuzzWeight,
+        &Physical::filmWeight, &Physical::anisotropy, &Physical::diffuseTransmission})
     EXPECT_TRUE(any_of(physicals, [&](const Physical& p) { return (p.*source).value > 0; }));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyModel), TagsTo(ANISOTROPY_GLTF));
+  EXPECT_EQ(Values(physicals, &Physical::anisotropyMapped), TagsTo(1));
+  EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.dispersion > 0; }));
 }
 
 TEST(Coverage, PicturesInEveryEncodingWrapAndFilter) {
@@ -172,19 +179,49 @@ TEST(Coverage, LightsAndFalloffs) {
   }
 }
 
+TEST(Coverage, EmittersAndTheLightTree) {
+  std::set<uint> shapes, flags, sampling;
+  bool inWorld = false, instanced = false, byChance = false, directional = false;
+  for (scene::Scene& scene : AllScenes()) {
+    scene.settings.integrator = scene::Integrator::Path;
+    const FlatScene flat = cpu::Flatten(scene, scene.settings, scene.cameras[0]);
+    for (const Emitter& emitter : flat.emitters) {
+      const bool isShape = emitter.instance == INSTANCE_SHAPE;
+      if (isShape && emitter.node != kernel::None)
+        shapes.insert(flat.shapes[emitter.primitive].kind);
+      inWorld |= emitter.instance == kernel::None;
+      instanced |= !isShape && emitter.instance != kernel::None;
+      byChance |= emitter.node == kernel::None;
+    }
+    if (flat.lightNodes.size() > 3) sampling.insert(flat.params.lightSampling);
+    for (const LightNode& node : flat.lightNodes) flags.insert(node.flags);
+    directional |= flat.params.firstDirectional != kernel::None;
+  }
+  EXPECT_EQ(shapes, (std::set<uint>{SHAPE_SPHERE, SHAPE_DISK, SHAPE_RECTANGLE}));
+  EXPECT_EQ(flags, TagsTo(LIGHT_NODE_LEAF | LIGHT_NODE_TWO_SIDED));
+  EXPECT_EQ(sampling, TagsTo(LIGHTS_BY_POWER));
+  EXPECT_TRUE(inWorld && instanced && byChance && directional);
+}
+
 TEST(Coverage, CamerasAndSurroundings) {
-  std::set<uint> cameras, inside, tinted;
+  std::set<uint> cameras, inside, tinted, lenses, blades;
   bool ambient = false, gradient = false, under = false;
   for (const FlatScene& flat : FlatScenes()) {
     const RenderParams& params = flat.params;
     cameras.insert(params.camera.kind);
     if (params.camera.inside == 1) inside.insert(params.camera.kind);
+    if (HasLens(params.camera)) {
+      lenses.insert(params.camera.kind);
+      blades.insert(params.camera.blades == 0 ? 0 : 1);
+    }
     tinted.insert(params.tintedShadows);
     ambient = ambient || params.ambient.x > 0;
     gradient = gradient || params.environment.bottom != params.environment.top;
     under = under || params.environment.ior > 1;
   }
-  EXPECT_EQ(cameras, TagsTo(CAMERA_ORTHOGRAPHIC));
+  EXPECT_EQ(cameras, TagsTo(CAMERA_STEREOGRAPHIC));
+  EXPECT_EQ(lenses, TagsTo(CAMERA_ORTHOGRAPHIC));
+  EXPECT_EQ(blades, TagsTo(1)) << "round apertures and others";
   EXPECT_EQ(inside, TagsTo(CAMERA_ORTHOGRAPHIC)) << "cameras within glass";
   EXPECT_EQ(tinted, TagsTo(1));
   EXPECT_TRUE(ambient);

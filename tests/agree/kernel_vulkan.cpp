@@ -10,7 +10,7 @@ namespace snell::agree {
 
 namespace {
 
-constexpr std::uint32_t BufferCount = 23;  // src/gpu/shaders/buffers.glsl, and the radiance
+constexpr std::uint32_t BufferCount = 24;  // src/gpu/shaders/buffers.glsl, and the radiance
 constexpr std::uint32_t GroupSize = 8;     // local_size_x and local_size_y
 
 template <class T>
@@ -38,12 +38,14 @@ void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
   const PrimitiveCounts counts = CountsOf(scene);
   buffers_.clear();
   for (const std::span<const std::byte> content :
-       {BytesOf(scene.params),  BytesOf(counts),     Bytes(scene.objects),   Bytes(scene.shapes),
-        Bytes(scene.instances), Bytes(scene.meshes), Bytes(scene.triangles), Bytes(scene.positions),
-        Bytes(scene.normals),   Bytes(scene.uvs),    Bytes(scene.tangents),  Bytes(scene.colors),
-        Bytes(scene.materials), Bytes(scene.terms),  Bytes(scene.physicals), Bytes(scene.textures),
-        Bytes(scene.images),    Bytes(scene.texels), Bytes(scene.lights),    Bytes(scene.emitters),
-        Bytes(scene.albedos),   Bytes(scene.grids)})
+       {BytesOf(scene.params),   BytesOf(counts),        Bytes(scene.objects),
+        Bytes(scene.shapes),     Bytes(scene.instances), Bytes(scene.meshes),
+        Bytes(scene.triangles),  Bytes(scene.positions), Bytes(scene.normals),
+        Bytes(scene.uvs),        Bytes(scene.tangents),  Bytes(scene.colors),
+        Bytes(scene.materials),  Bytes(scene.terms),     Bytes(scene.physicals),
+        Bytes(scene.textures),   Bytes(scene.images),    Bytes(scene.texels),
+        Bytes(scene.lights),     Bytes(scene.emitters),  Bytes(scene.albedos),
+        Bytes(scene.lightNodes), Bytes(scene.grids)})
     buffers_.emplace_back(device_, content);
   buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
   program_.Bind(buffers_);

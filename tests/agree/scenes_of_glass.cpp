@@ -65,6 +65,7 @@ scene::Scene OpaqueShadows() {
 scene::Scene NestedMedia() {
   SceneBuilder builder = Table("NestedMedia");
   builder.settings().maxDepth = 12;
+  builder.settings().clampIndirect = 0.05f;
   const int glass = builder.Add(Absorbing(1.5f, {0.7f, 0.9f, 0.7f}, 1, 2));
   const int air = builder.Add(Absorbing(1.0f, Spectrum(1.0f), 1, 3));
   const int water = builder.Add(Absorbing(1.33f, {0.5f, 0.7f, 0.9f}, 1, 1));

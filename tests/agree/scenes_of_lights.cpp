@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every kind of light, hard and soft, seen and unseen, with every fall-off.
+// Every kind of light, hard and soft, seen and unseen, with every fall-off, few and many, and what glows.
 #include <glm/geometric.hpp>
 
 #include "agree/scene_builder.h"
@@ -127,10 +127,122 @@ scene::Scene SoftLights() {
   return builder.Finish();
 }
 
+// Pictures of all directions: dim, with a bright spot that stretches over the border.
+scene::Image Panorama(bool isFloat) {
+  scene::Image image;
+  image.name = "panorama";
+  image.width = 16;
+  image.height = 8;
+  image.srgb = !isFloat;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const bool isBright = y == 2 && (x == 0 || x == 15);
+      const int dim[4] = {40 + 8 * y, 60 + 3 * x, 110 - 10 * y, 255};
+      for (const int code : dim) {
+        if (isFloat) image.floats.push_back(isBright ? 20.0f : float(code) / 255);
+        if (!isFloat) image.bytes.push_back(std::uint8_t(isBright ? 255 : code / 2));
+      }
+    }
+  }
+  return image;
+}
+
+// A turned map, beside a sun whose disc a ball mirrors.
+scene::Scene MapAndSun() {
+  SceneBuilder builder = Corner("MapAndSun");
+  builder.Place(Sphere{vec3(1, 0.2f, 2), 0.6f}, builder.Add(Mirror(Spectrum(0.8f))));
+  builder.environment().map = builder.Add(Panorama(true));
+  builder.environment().mapScale = {1, 0.9f, 0.7f};
+  builder.environment().rotation = 2;
+  builder.environment().sun = 0;
+  builder.environment().ambient = true;
+  scene::Light sun = SunLight(vec3(-0.3f, -1, -1), 2);
+  sun.angularSize = 0.3f;
+  builder.Add(sun);
+  sun.direction = glm::normalize(vec3(0.8f, -1, -0.5f));
+  builder.Add(sun);
+  return builder.Finish();
+}
+
+// A map of few bits alone, which the camera does not see.
+scene::Scene UnseenMap() {
+  SceneBuilder builder = Corner("UnseenMap");
+  builder.Place(Sphere{vec3(1, 0.2f, 2), 0.6f}, builder.Add(Glass(1.5f)));
+  builder.environment().map = builder.Add(Panorama(false));
+  builder.environment().visible = false;
+  builder.environment().ambient = true;
+  return builder.Finish();
+}
+
+// More lights of all kinds than a loop would want, among them two suns and one that is dark.
+SceneBuilder CornerOfManyLights(const char* name) {
+  SceneBuilder builder = Corner(name);
+  for (int i = 0; i < 24; ++i) {
+    const float x = float(i % 6) - 2.5f, z = float(i / 6) - 1;
+    if (i % 3 == 0) {
+      builder.Add(PointLight(vec3(x, 2.5f, z), i == 0 ? 0 : 0.7f));
+    } else if (i % 3 == 1) {
+      builder.Add(SpotLight(vec3(x, 3, z), vec3(0, 0, 0), 1.5f));
+    } else {
+      scene::Light sphere = AreaLight(LightKind::Sphere, vec3(x, 2, z), 4);
+      sphere.radius = 0.06f;
+      builder.Add(sphere);
+    }
+  }
+  builder.Add(SunLight(vec3(1, -2, -1), 0.2f));
+  scene::Light wide = SunLight(vec3(-1, -0.5f, -0.5f), 0.1f);
+  wide.angularSize = 0.2f;
+  builder.Add(wide);
+  return builder;
+}
+
+scene::Scene ManyLights() { return CornerOfManyLights("ManyLights").Finish(); }
+
+// The same, chosen by power alone.
+scene::Scene ManyLightsByPower() {
+  SceneBuilder builder = CornerOfManyLights("ManyLightsByPower");
+  builder.settings().lightSampling = scene::LightSampling::Power;
+  return builder.Finish();
+}
+
+// Everything that glows: meshes in the world and as instances, spheres, disks, rectangles and a box; one with a
+// texture, one that glows from its front alone; and one light beside them.
+scene::Scene GlowingThings() {
+  SceneBuilder builder = Corner("GlowingThings");
+  const auto glowing = [](Spectrum radiance) {
+    scene::Material material = Matte(Spectrum(0.3f));
+    material.emission.value = radiance;
+    return material;
+  };
+  scene::Texture checker;
+  checker.space = scene::TextureSpace::Object;
+  checker.placement = Scale(vec3(0.3f));
+  scene::Material tiled = glowing(Spectrum(4));
+  tiled.emission.texture = builder.Add(checker);
+  scene::Material front = glowing({3, 1, 1});
+  front.doubleSided = false;
+  const int warm = builder.Add(glowing({4, 3, 1})), pattern = builder.Add(tiled);
+  const int mesh = builder.Add(Tetrahedron());
+  for (const float x : {-2.0f, 0.0f})
+    builder.Place(scene::MeshGeometry{mesh}, warm,
+                  Move({x, 2.4f, 1}) * Shear(0.3f) * Scale({0.2f, 0.3f, -0.2f}));
+  builder.Place(scene::MeshGeometry{builder.Add(SmoothOctahedron())}, pattern,
+                Move({1.8f, 2, 1}) * Scale(vec3(0.4f)));
+  builder.Place(Sphere{vec3(-0.2f, 1.5f, -0.5f), 0.25f}, warm);
+  builder.Place(Sphere{vec3(0), 0.2f}, pattern, Move({1, 1.6f, -0.5f}) * Scale({2, 1, 1}));
+  builder.Place(scene::Disk{vec3(-2, 1, -1), vec3(0.5f, 0, 1), 0.5f, 0.3f}, pattern);
+  builder.Place(scene::Rectangle{vec3(-0.5f, 2.5f, -1), vec3(0, 0, -0.5f), vec3(-1, 0, 0)},
+                builder.Add(front));
+  builder.Place(scene::Box{vec3(2, 0, 0), vec3(2.2f, 0.2f, 0.2f)}, warm);
+  builder.Add(PointLight(vec3(0, 3, 4), 2));
+  return builder.Finish();
+}
+
 }  // namespace
 
 std::vector<scene::Scene> ScenesOfLights() {
-  return {FalloffLaws(), AreaLights(), UnseenAreas(), SoftLights()};
+  return {FalloffLaws(), AreaLights(), UnseenAreas(),       SoftLights(),   MapAndSun(),
+          UnseenMap(),   ManyLights(), ManyLightsByPower(), GlowingThings()};
 }
 
 }  // namespace snell::agree

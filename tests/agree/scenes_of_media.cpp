@@ -73,7 +73,7 @@ scene::Scene MilkAndWax() {
   clear.transmissionWeight.value = 1;
   clear.specularRoughness.value = 0.1f;
   clear.transmissionDepth = 0.5f;
-  clear.transmissionColor = {0.9f, 0.7f, 0.4f};
+  clear.transmissionColor.value = {0.9f, 0.7f, 0.4f};
   clear.transmissionScatter = {0.6f, 0.9f, 1.2f};
   clear.transmissionScatterAnisotropy = 0.6f;
   scene::OpenPbr wax;

@@ -112,7 +112,7 @@ scene::Scene PhysicalMaterials() {
   materials[4] = Physical({0.9f, 1.0f, 0.95f}, 0, 0);
   materials[4].physical->transmissionWeight.value = 1;
   materials[4].physical->transmissionDepth = 0.5f;
-  materials[4].physical->transmissionColor = {0.3f, 0.8f, 0.5f};
+  materials[4].physical->transmissionColor.value = {0.3f, 0.8f, 0.5f};
   materials[5].physical->specularWeight.value = 0;
   materials[5].physical->emission.value = {0.1f, 0.2f, 0.3f};
   materials[6] = Physical({1, 1, 1}, 0, 0.1f);
@@ -123,6 +123,67 @@ scene::Scene PhysicalMaterials() {
     builder.Place(scene::Sphere{vec3(float(i % 4) * 1.4f - 2.1f, float(i / 4) * 1.4f, 0), 0.6f},
                   builder.Add(materials[i]));
   builder.Floor(-0.6f);
+  return builder.Finish();
+}
+
+// Films, brushed metal and coats with normals of their own, on round and flat surfaces, with and without textures.
+scene::Scene Layers() {
+  SceneBuilder builder("Layers", vec3(0, 1, 8), vec3(0, 0.2f, 0));
+  builder.Add(PointLight(vec3(4, 6, 5), 400));
+  builder.environment() = {{0.2f, 0.15f, 0.1f}, {0.5f, 0.6f, 0.8f}, -0.5f, 1, 1};
+  const int image = builder.Add(Bands(false, false));
+  const int texture =
+      builder.Add(Showing(image, scene::Wrap::Repeat, scene::TextureFilter::Linear));
+  scene::Material materials[9];
+  for (scene::Material& material : materials) material = Physical({0.7f, 0.4f, 0.2f}, 0, 0.4f);
+  materials[0] = Physical({0.9f, 0.6f, 0.3f}, 1, 0.3f);
+  materials[0].physical->specularColor.value = {0.8f, 0.9f, 1.0f};
+  materials[0].physical->thinFilmWeight.value = 1;
+  materials[1].physical->thinFilmWeight = {0.8f, texture, 0};
+  materials[1].physical->thinFilmThickness = {0.9f, texture, 1};
+  materials[1].physical->thinFilmThicknessLeast = 0.2f;
+  materials[2] = Physical({1, 1, 1}, 0, 0.1f);
+  materials[2].physical->transmissionWeight.value = 1;
+  materials[2].physical->thinFilmWeight.value = 1;
+  materials[2].physical->transmissionTintedByBase = true;
+  materials[3] = Physical({0.8f, 0.8f, 0.9f}, 1, 0.4f);
+  materials[3].physical->specularRoughnessAnisotropy.value = 0.8f;
+  materials[3].physical->anisotropyRotation = 0.7f;
+  materials[4] = Physical({0.8f, 0.7f, 0.9f}, 1, 0.2f);
+  materials[4].physical->specularRoughnessAnisotropy = {0.7f, texture, 2};
+  materials[4].physical->anisotropyOfGltf = true;
+  materials[4].physical->anisotropyMapped = true;
+  materials[5].physical->coatWeight.value = 1;
+  materials[5].physical->coatColor = {Spectrum(0.9f, 0.5f, 0.5f), texture};
+  materials[5].physical->coatRoughness.value = 0.3f;
+  materials[5].physical->coatRoughnessAnisotropy = 0.6f;
+  materials[5].physical->coatNormal = {texture, 0.5f, true};
+  materials[5].normalMap = {texture, 0.5f, false};
+  materials[6] = Physical({1, 1, 1}, 0, 0);
+  materials[6].physical->transmissionWeight.value = 1;
+  materials[6].physical->transmissionDispersionScale = 1;
+  materials[7].physical->transmissionWeight.value = 0.8f;
+  materials[7].physical->transmissionColor = {Spectrum(0.5f, 0.9f, 0.9f), texture};
+  materials[7].physical->fuzzWeight.value = 0.5f;
+  materials[7].physical->specularWeight.value = 1.5f;
+  materials[7].thin = true;
+  materials[8].physical->emission.value = {0.3f, 0.2f, 0.1f};
+  materials[8].physical->coatWeight.value = 0.8f;
+  materials[8].physical->coatColor.value = {0.9f, 0.6f, 0.3f};
+  materials[8].physical->fuzzWeight.value = 0.3f;
+  materials[8].physical->diffuseTransmissionWeight = {0.5f, texture, 0};
+  materials[8].physical->diffuseTransmissionColor = {Spectrum(0.9f), texture};
+  const scene::MeshGeometry octahedron{builder.Add(SmoothOctahedron())};
+  for (int i = 0; i < 9; ++i) {
+    const int index = builder.Add(materials[i]);
+    const vec3 place(float(i % 3) * 1.7f - 1.7f, float(i / 3) * 1.5f - 1.2f, 0);
+    if (i % 2 == 0) {
+      builder.Place(scene::Sphere{place, 0.7f}, index);
+    } else {
+      builder.Place(octahedron, index, Move(place) * Scale(vec3(0.8f)));
+    }
+  }
+  builder.Floor(-2);
   return builder.Finish();
 }
 
@@ -155,7 +216,7 @@ scene::Scene MapsOnSheets() {
 }  // namespace
 
 std::vector<scene::Scene> ScenesOfPictures() {
-  return {Pictures(), PhysicalMaterials(), MapsOnSheets()};
+  return {Pictures(), PhysicalMaterials(), Layers(), MapsOnSheets()};
 }
 
 }  // namespace snell::agree

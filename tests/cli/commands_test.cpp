@@ -29,7 +29,7 @@ TEST_F(Commands, InfoTellsWhatIsInAScene) {
   const Result result = Run({"info", "spheres.nff"});
   EXPECT_EQ(result.status, 0);
   for (const char* part :
-       {"spheres.nff\n", "  picture    48 × 32, 1 sample per pixel\n", "  cameras    1\n",
+       {"spheres.nff\n", "  picture    48 × 32, 1 sample per pixel, whitted\n", "  cameras    1\n",
         "pinhole, at 2.1 1.7 1.3", "  lights     2\n", "point light", "  materials  3\n",
         "  objects    3: mesh 1, sphere 2\n", "  triangles  2 stored, 2 seen\n",
         "  bounds     -6 -6 -0.5 to 6 6 0.5, 12 × 12 × 1 m\n", "  memory     scene "})
@@ -66,6 +66,20 @@ TEST_F(Commands, CheckSaysOkOrAllErrors) {
   ExpectHas(mixed.err, "snell: error: x.abc: the file's kind is not known by its extension; ");
 }
 
+TEST_F(Commands, CheckOfAFolderIsATable) {
+  std::filesystem::create_directories(Path("all/more"));
+  Write("all/b.toml", "[[object]]\nshape = \"sphere\"\n");
+  Write("all/more/a.nff", "v\nfrom 1 1\n");
+  Write("all/notes.txt", "no scene");
+  const Result result = Run({"check", "all"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out,
+            "all/b.toml: ok\nall/more/a.nff: 1 error\n2 files read: 1 ok, 1 with errors\n");
+  ExpectHas(result.err, "snell: error: all/more/a.nff:3:1: ");
+  std::filesystem::create_directories(Path("none"));
+  ExpectHas(Run({"check", "none"}).err, "none: the folder holds no scene");
+}
+
 TEST_F(Commands, CompareEqualPictures) {
   WriteGrey("a.exr", 0.5f);
   const Result result = Run({"compare", "a.exr", "a.exr", "--tolerance", "0"});
@@ -84,6 +98,9 @@ TEST_F(Commands, CompareJudgesByTheMetric) {
   const auto status = [&](const char* metric, const char* tolerance) {
     return Run({"compare", "a.exr", "b.exr", "--metric", metric, "--tolerance", tolerance}).status;
   };
+  ExpectHas(Run({"compare", "a.exr", "b.exr"}).out, "mean    0.600");
+  EXPECT_EQ(Run({"compare", "a.exr", "b.exr", "--crop", "0,0,1,1"}).status, 0);
+  ExpectHas(Run({"compare", "a.exr", "b.exr", "--crop", "0,0,9999,1"}).err, "outside the picture");
   EXPECT_EQ(status("rmse", "0.09"), 1);
   EXPECT_EQ(status("rmse", "0.11"), 0);
   EXPECT_EQ(status("max", "0.09"), 1);

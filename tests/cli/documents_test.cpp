@@ -10,8 +10,8 @@
 namespace snell::test {
 namespace {
 
-const char* const CommandNames[] = {"render",    "compare", "info",   "check",
-                                    "reference", "help",    "manual", "completion"};
+const char* const CommandNames[] = {"render",    "merge", "compare", "info",      "check",
+                                    "reference", "help",  "manual",  "completion"};
 
 std::string Output(const std::vector<std::string>& arguments) {
   const Result result = RunSnell(arguments);
@@ -67,9 +67,18 @@ TEST_F(Documents, EachCommandHasAPage) {
                                                                           "--integrator",
                                                                           "--max-depth",
                                                                           "--min-contribution",
+                                                                          "--clamp-indirect",
                                                                           "--up",
                                                                           "--smooth",
                                                                           "--time",
+                                                                          "--environment",
+                                                                          "--noise",
+                                                                          "--resume",
+                                                                          "--checkpoint",
+                                                                          "--checkpoint-interval",
+                                                                          "--no-checkpoint",
+                                                                          "--film",
+                                                                          "--at",
                                                                           "--allow",
                                                                           "--limit",
                                                                           "--threads",

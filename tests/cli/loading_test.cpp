@@ -42,13 +42,13 @@ TEST_F(Loading, TimeMovesWhatAnimationsMove) {
   const Result rest = Run({"info", "moving.gltf"});
   ExpectHas(rest.out, "  bounds     0 0 0 to 1 1 0,");
   ExpectHas(rest.err, "animations are not played");
-  const Result half = Run({"info", "moving.gltf", "--time", "0.5"});
+  const Result half = Run({"info", "moving.gltf", "--at", "0.5"});
   ExpectHas(half.out, "  bounds     5 0 0 to 6 1 0,");
   EXPECT_EQ(half.err, "");
-  EXPECT_EQ(Run({"check", "moving.gltf", "--time", "3"}).out, "moving.gltf: ok\n");
+  EXPECT_EQ(Run({"check", "moving.gltf", "--at", "3"}).out, "moving.gltf: ok\n");
 
   const auto render = [&](const char* picture, const char* time) {
-    EXPECT_EQ(Run({"render", "moving.gltf", "-q", "--size", "32x24", "--spp", "1", "--time", time,
+    EXPECT_EQ(Run({"render", "moving.gltf", "-q", "--size", "32x24", "--spp", "1", "--at", time,
                    "-o", picture})
                   .status,
               0);
@@ -58,11 +58,11 @@ TEST_F(Loading, TimeMovesWhatAnimationsMove) {
 }
 
 TEST_F(Loading, TimeIsSaidToChangeNothingWithoutAnimations) {
-  ExpectHas(Run({"check", "still.gltf", "--time", "1"}).err,
+  ExpectHas(Run({"check", "still.gltf", "--at", "1"}).err,
             "snell: warning: still.gltf: there are no animations: the time changes nothing\n");
-  ExpectHas(Run({"check", "spheres.nff", "--time", "1"}).err,
+  ExpectHas(Run({"check", "spheres.nff", "--at", "1"}).err,
             "snell: warning: spheres.nff: there are no animations: the time changes nothing\n");
-  EXPECT_EQ(Run({"check", "still.gltf", "--time", "noon"}).status, 2);
+  EXPECT_EQ(Run({"check", "still.gltf", "--at", "noon"}).status, 2);
 }
 
 TEST_F(Loading, FoldersOutsideMustBeAllowed) {

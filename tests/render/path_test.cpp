@@ -152,5 +152,33 @@ TEST(Path, DepthOneShowsWhatGlows) {
   for (const float value : picture.rgb) EXPECT_EQ(value, 0.25f);
 }
 
+// What errors a picture has differ from pixel to pixel: means over squares of 16 have far less than the quarter
+// that independent errors would leave.
+TEST(Path, NoiseIsBlue) {
+  const auto render = [](int spp) {
+    return PictureOf(
+        Settings(64, spp, 2) +
+        "filter = 'box'\n[camera]\nposition = [0, 3, 0]\nlook_at = [0, 0, 0]\nup = [0, 0, "
+        "1]\nfov = 30\n[[light]]\ntype = 'rectangle'\ncorner = [-2, 2, 2]\nedge_u = [3, 0, "
+        "0]\nedge_v = [0, 0, 3]\nradiance = 1\n[[object]]\nshape = 'plane'\nmaterial = { "
+        "type = 'diffuse', color = 0.5 }\n[[object]]\nshape = 'sphere'\ncenter = [0, 1.2, "
+        "0.4]\nradius = 0.3\nvisible_to_camera = false\n");
+  };
+  const Picture noisy = render(4), reference = render(1024);
+  double error = 0, errorOfMeans = 0;
+  for (int y = 0; y < 64; y += 4)
+    for (int x = 0; x < 64; x += 4) {
+      double sum = 0;
+      for (int i = 0; i < 16; ++i) {
+        const std::size_t at = std::size_t((y + i / 4) * 64 + x + i % 4) * 3;
+        const double difference = double(noisy.rgb[at]) - double(reference.rgb[at]);
+        error += difference * difference / 16;
+        sum += difference / 16;
+      }
+      errorOfMeans += sum * sum;
+    }
+  EXPECT_LT(std::sqrt(errorOfMeans / error), 0.15);
+}
+
 }  // namespace
 }  // namespace snell::test

@@ -108,7 +108,7 @@ class Soup {
 
  private:
   unsigned AddObject(unsigned mask) {
-    objects_.push_back({0, mask, kernel::None, ToKernel(glm::dmat4(1.0))});
+    objects_.push_back({0, mask, kernel::None, ToKernel(glm::dmat4(1.0)), kernel::None});
     return unsigned(objects_.size()) - 1;
   }
   void AddMesh(const TriangleMesh& mesh, unsigned object) {

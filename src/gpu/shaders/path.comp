@@ -13,20 +13,27 @@
 
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_environment.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_frame.h"
+#include "kernel/path_sample.h"
 #include "kernel/scene_grid.h"
 #include "kernel/path_shadow.h"
+#include "kernel/path_environment.h"
+#include "kernel/scene_emitter.h"
+#include "kernel/scene_light_tree.h"
 #include "kernel/path_light.h"
+#include "kernel/path_wavelength.h"
 #include "kernel/path_medium.h"
 #include "kernel/path.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 22) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 23) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

@@ -58,6 +58,11 @@ void GltfMaterialReader::ReadSpecular() {
   }
   pbr_.specularColor = {
       color, textures_.Get({extension, "specularColorTexture"}, GltfPictureUse::Color, part_)};
+  // Where all is metal, glTF's two say nothing
+  if (pbr_.baseMetalness.value == 1 && pbr_.baseMetalness.texture < 0) {
+    pbr_.specularWeight = {1};
+    pbr_.specularColor = {Spectrum(1.0f)};
+  }
 }
 
 void GltfMaterialReader::ReadTransmission() {
@@ -77,15 +82,10 @@ void GltfMaterialReader::ReadTransmission() {
       volume.Number("attenuationDistance", std::numeric_limits<double>::infinity());
   const bool absorbs = isSolid && std::isfinite(distance) && distance > 0;
   if (absorbs) {
-    pbr_.transmissionColor = Color(volume.Vector("attenuationColor", glm::vec3(1.0f)));
+    pbr_.transmissionColor.value = Color(volume.Vector("attenuationColor", glm::vec3(1.0f)));
     pbr_.transmissionDepth = float(distance);
-    if (pbr_.baseColor.value != Spectrum(1.0f) || pbr_.baseColor.texture >= 0)
-      findings_.Note("light through absorbing bodies is not tinted by their base colour", part_);
-  } else {
-    pbr_.transmissionColor = pbr_.baseColor.value;
-    if (pbr_.baseColor.texture >= 0)
-      findings_.Note("light through a surface is not tinted by its base colour's texture", part_);
   }
+  pbr_.transmissionTintedByBase = true;
   if (const float dispersion =
           Number(Extension("KHR_materials_dispersion"), "dispersion", 0, 0, 1e6);
       dispersion > 0) {
@@ -147,7 +147,8 @@ void GltfMaterialReader::ReadAnisotropy() {
   if (!extension) return;
   pbr_.specularRoughnessAnisotropy =
       Scalar(extension, "anisotropyStrength", 0, "anisotropyTexture", 2);
-  pbr_.anisotropyDirection = pbr_.specularRoughnessAnisotropy.texture;
+  pbr_.anisotropyOfGltf = true;
+  pbr_.anisotropyMapped = pbr_.specularRoughnessAnisotropy.texture >= 0;
   pbr_.anisotropyRotation = float(extension.Number("anisotropyRotation", 0));
 }
 

@@ -154,7 +154,8 @@ TEST(GltfMaterial, GlassAsSheetAndBody) {
 "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.9}})");
   EXPECT_TRUE(sheet.scene.materials.at(0).thin);
   EXPECT_FLOAT_EQ(sheet.material().transmissionWeight.value, 0.9f);
-  EXPECT_EQ(sheet.material().transmissionColor, Spectrum(0.5f, 1, 1));
+  EXPECT_EQ(sheet.material().transmissionColor.value, Spectrum(1.0f));
+  EXPECT_TRUE(sheet.material().transmissionTintedByBase);
   EXPECT_EQ(sheet.material().transmissionDepth, 0);
 
   const GltfResult body = ReadMaterial(
@@ -164,7 +165,7 @@ TEST(GltfMaterial, GlassAsSheetAndBody) {
 "KHR_materials_dispersion": {"dispersion": 0.5}})");
   EXPECT_FALSE(body.scene.materials.at(0).thin);
   EXPECT_TRUE(body.scene.materials.at(0).doubleSided);
-  EXPECT_EQ(body.material().transmissionColor, Spectrum(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(body.material().transmissionColor.value, Spectrum(0.1f, 0.2f, 0.3f));
   EXPECT_FLOAT_EQ(body.material().transmissionDepth, 0.2f);
   EXPECT_FLOAT_EQ(body.material().specularIor, 1.7f);
   EXPECT_FLOAT_EQ(body.material().transmissionDispersionAbbeNumber /
@@ -174,7 +175,7 @@ TEST(GltfMaterial, GlassAsSheetAndBody) {
 
 TEST(GltfMaterial, Layers) {
   const GltfResult result = ReadMaterial(
-      R"("extensions": {
+      R"("pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {
 "KHR_materials_clearcoat": {"clearcoatFactor": 0.8, "clearcoatRoughnessFactor": 0.1},
 "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.25, 0], "sheenRoughnessFactor": 0.4},
 "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceThicknessMaximum": 550},
@@ -192,6 +193,7 @@ TEST(GltfMaterial, Layers) {
   EXPECT_FLOAT_EQ(pbr.thinFilmThicknessLeast, 0.1f);
   EXPECT_FLOAT_EQ(pbr.thinFilmIor, 1.3f);
   EXPECT_FLOAT_EQ(pbr.specularRoughnessAnisotropy.value, 0.6f);
+  EXPECT_TRUE(pbr.anisotropyOfGltf);
   EXPECT_FLOAT_EQ(pbr.anisotropyRotation, 1.5f);
   EXPECT_FLOAT_EQ(pbr.diffuseTransmissionWeight.value, 0.3f);
   EXPECT_TRUE(result.scene.materials.at(0).thin);

@@ -133,7 +133,8 @@ void MtlConverter::ConvertTransparency(const MtlMaterial& mtl, scene::Material& 
     const Spectrum filter = Clamped(mtl, tf.value_or(Spectrum(1.0f)), 1);
     const bool byFilter = opacity >= 1 && tf;
     pbr.transmissionWeight.value = byFilter ? Largest(filter) : 1 - opacity;
-    pbr.transmissionColor = byFilter && Largest(filter) > 0 ? filter / Largest(filter) : filter;
+    pbr.transmissionColor.value =
+        byFilter && Largest(filter) > 0 ? filter / Largest(filter) : filter;
     return;
   }
 

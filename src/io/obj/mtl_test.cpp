@@ -109,7 +109,7 @@ TEST(Mtl, MirrorsAndGlass) {
     const Material glass =
         test.ReadMaterial(std::string("d 0.25\nTf 1 0.5 0.5\nNi 1.3\nillum ") + illum + "\n");
     EXPECT_EQ(glass.physical->transmissionWeight.value, 0.75f);
-    EXPECT_EQ(glass.physical->transmissionColor, vec3(1, 0.5f, 0.5f));
+    EXPECT_EQ(glass.physical->transmissionColor.value, vec3(1, 0.5f, 0.5f));
     EXPECT_EQ(glass.physical->specularIor, 1.3f);
     EXPECT_EQ(glass.opacity.value, 1);
     EXPECT_EQ(glass.alphaMode, AlphaMode::Opaque);
@@ -117,7 +117,7 @@ TEST(Mtl, MirrorsAndGlass) {
   }
   const Material tinted = test.ReadMaterial("Tf 0.4 0.8 0.8\nillum 6\n");
   EXPECT_EQ(tinted.physical->transmissionWeight.value, 0.8f);
-  EXPECT_EQ(tinted.physical->transmissionColor, vec3(0.5f, 1, 1));
+  EXPECT_EQ(tinted.physical->transmissionColor.value, vec3(0.5f, 1, 1));
 }
 
 TEST(Mtl, Opacity) {

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
 #include "image/read.h"
 #include "io/mesh/text.h"
+#include "io/pbrt/environment.h"
 
 namespace snell::io {
 namespace {
@@ -103,88 +105,49 @@ class LightReader {
                           parameters_.place());
   }
 
-  // Radiance from above and below: what is seen behind everything. Surfaces gather their mean.
+  // What is seen behind everything. Colours of several add up; a map stands alone.
   void ReadInfinite() {
-    Spectrum above(1.0f), below(1.0f);
     const std::string file = parameters_.String("filename", "");
-    const Spectrum emitted = Emitted(parameters_, "L", context_);
-    if (!file.empty() && !ReadMap(file, above, below)) return;
-    float strength = 1;
+    Spectrum emitted = Emitted(parameters_, "L", context_);
     if (const float illuminance = parameters_.Number("illuminance", 0); illuminance > 0)
-      strength = illuminance / float(Pi);
+      emitted *= illuminance / float(Pi);
     parameters_.Leave({"portal"}, "not used", context_.findings);
-    above *= emitted * strength;
-    below *= emitted * strength;
-
     scene::Environment& environment = context_.scene.environment;
-    environment.top += above;
-    environment.bottom += below;
-    light_.kind = scene::LightKind::Ambient;
-    light_.color = (above + below) * 0.5f;
-    context_.scene.lights.push_back(light_);
+    const bool isAlone = environment.map < 0 && environment.top == Spectrum(0.0f);
+    if (environment.map >= 0 || (!file.empty() && !isAlone))
+      return context_.findings.Add("infinite light", "left out: there is another beside a map",
+                                   file, parameters_.place());
+    environment.ambient = true;
+    if (!file.empty()) return ReadMap(file, emitted);
+    environment.top += emitted;
+    environment.bottom += emitted;
   }
 
-  bool ReadMap(const std::string& file, Spectrum& above, Spectrum& below) {
+  void ReadMap(const std::string& file, const Spectrum& emitted) {
     const auto path = context_.files.Find(context_.folder, file);
-    if (!path) {
-      context_.findings.Add("environment map", "not found in the scene's folder: left out", file,
-                            parameters_.place());
-      return false;
-    }
+    if (!path)
+      return context_.findings.Add("environment map", "not found in the scene's folder: left out",
+                                   file, parameters_.place());
     if (++context_.environmentMaps > MaxEnvironmentMaps)
       throw Error("the scene has too many environment maps", parameters_.place());
     image::Image map;
     try {
       map = image::ReadImage(*path);
     } catch (const Error& error) {
-      context_.findings.Add("environment map", "left out: " + error.diagnostics().front().message,
-                            file, parameters_.place());
-      return false;
+      return context_.findings.Add("environment map",
+                                   "left out: " + error.diagnostics().front().message, file,
+                                   parameters_.place());
     }
-    const bool isOctahedral = map.width == map.height;
-    context_.findings.Add("environment map",
-                          isOctahedral ? "approximated by its means above and below the horizon"
-                                       : "not square: taken as one of pbrt-v3, by its mean",
-                          file, parameters_.place());
-    glm::dvec3 sum[2] = {};
-    double weight[2] = {};
-    for (int y = 0; y < map.height; ++y) {
-      for (int x = 0; x < map.width; ++x) {
-        const double v = (y + 0.5) / map.height;
-        const glm::dvec3 up = isOctahedral ? SquareToSphere((x + 0.5) / map.width, v)
-                                           : glm::dvec3(0, 0, std::cos(v * Pi));
-        const int half = glm::dvec3(toWorld_ * glm::dvec4(up, 0)).y >= 0 ? 1 : 0;
-        const double w = isOctahedral ? 1 : std::sin(v * Pi);
-        const image::vec3 color = map.At(x, y);
-        if (!std::isfinite(color.x + color.y + color.z)) continue;
-        sum[half] += glm::dvec3(glm::max(color, image::vec3(0.0f))) * w;
-        weight[half] += w;
-      }
-    }
-    if (!isOctahedral || weight[0] == 0 || weight[1] == 0) {
-      sum[0] = sum[1] = sum[0] + sum[1];
-      weight[0] = weight[1] = weight[0] + weight[1];
-    }
-    below = Spectrum(sum[0] / std::max(weight[0], 1.0));
-    above = Spectrum(sum[1] / std::max(weight[1], 1.0));
-    scene::Environment& environment = context_.scene.environment;
-    environment.bottomElevation = -HorizonWidth;
-    environment.topElevation = HorizonWidth;
-    return true;
+    const double volume = glm::determinant(glm::dmat3(toWorld_));
+    if (!std::isfinite(volume) || volume == 0)
+      return context_.findings.Add("environment map", "with a singular transform left out", file,
+                                   parameters_.place());
+    scene::Scene& scene = context_.scene;
+    scene.environment.map = scene::ImageIndex(scene.images.size());
+    scene.environment.mapScale = emitted;
+    scene.images.push_back(PanoramaOf(map, toWorld_));
+    scene.images.back().name = path->string();
   }
-
-  // Equal areas to equal areas (Clarberg 2008, "Fast equal-area mapping of the (hemi)sphere using SIMD").
-  static glm::dvec3 SquareToSphere(double s, double t) {
-    const double u = 2 * s - 1, v = 2 * t - 1;
-    const double distance = 1 - (std::abs(u) + std::abs(v));
-    const double r = 1 - std::abs(distance);
-    const double phi = (r == 0 ? 1 : (std::abs(v) - std::abs(u)) / r + 1) * Pi / 4;
-    const double sine = r * std::sqrt(std::max(0.0, 2 - r * r));
-    return {std::copysign(std::cos(phi), u) * sine, std::copysign(std::sin(phi), v) * sine,
-            std::copysign(1 - r * r, distance)};
-  }
-
-  static constexpr float HorizonWidth = 0.2f;  // radians to both sides, where the means meet
 
   const PbrtParameters& parameters_;
   const scene::Affine& toWorld_;

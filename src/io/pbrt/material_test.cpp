@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "io/pbrt/color.h"
 #include "io/pbrt/spectra.h"
 #include "io/pbrt/test_scene.h"
 

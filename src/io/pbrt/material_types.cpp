@@ -10,6 +10,7 @@
 
 #include "io/mesh/text.h"
 #include "io/pbrt/materials.h"
+#include "scene/measured.h"
 
 namespace snell::io {
 
@@ -62,7 +63,7 @@ void PbrtMaterialReader::ReadCoatedDiffuse() {
   parameters_.Leave({"albedo", "g"}, "left out: the coat is clear", context_.findings);
 }
 
-// What a smooth metal in air reflects of light from straight above; of its complex index of refraction.
+// What a smooth metal in air reflects of light from straight above and near its edge, by its complex index of refraction.
 void PbrtMaterialReader::ReadConductor(const std::string& prefix) {
   pbr_.baseMetalness.value = 1;
   ReadRoughness(prefix, 0);
@@ -83,16 +84,14 @@ void PbrtMaterialReader::ReadConductor(const std::string& prefix) {
       *spectrum = *found;
     }
   }
-  const auto reflected = [&](double wavelength) {
-    const double n = eta.At(wavelength), extinction = k.At(wavelength);
-    const double below = (n - 1) * (n - 1) + extinction * extinction;
-    const double above = (n + 1) * (n + 1) + extinction * extinction;
-    return above > 0 ? below / above : 0;
+  const auto color = [&](double cosine) {
+    const auto reflected = [&](double wavelength) {
+      return scene::ConductorReflectance(cosine, eta.At(wavelength), k.At(wavelength));
+    };
+    if (eta.table || k.table) return ReflectanceColor(reflected);
+    return Spectrum(reflected(610), reflected(550), reflected(465));
   };
-  if (eta.table || k.table)
-    pbr_.baseColor.value = Albedo(ReflectanceColor(reflected));
-  else
-    pbr_.baseColor.value = Albedo(Spectrum(reflected(610), reflected(550), reflected(465)));
+  SetMetalColors(color(1), color(scene::MetalGrazing), pbr_);
 }
 
 void PbrtMaterialReader::ReadCoatedConductor() {

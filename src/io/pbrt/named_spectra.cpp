@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectra that pbrt knows by name. Complex indices of refraction n + ik: silver and gold, Johnson and Christy
-// 1972; copper, Hagemann, Gudat and Kunz 1974; aluminium, Smith, Shiles and Inokuti 1985; brass, Querry 1985;
-// magnesium oxide, Stephens and Malitson 1952; titanium dioxide, DeVore 1951. Glass: catalogues of Schott and
+// The spectra that pbrt knows by name. Complex indices of refraction n + ik: silver, gold and brass as in
+// scene/measured.h; copper, Hagemann, Gudat and Kunz 1974; aluminium, Smith, Shiles and Inokuti 1985; magnesium oxide, Stephens and Malitson 1952; titanium dioxide, DeVore 1951. Glass: catalogues of Schott and
 // Hikari. Illuminants: CIE 15:2004, tables T.3 and T.8.1.
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include "io/pbrt/spectra.h"
+#include "scene/measured.h"
 
 namespace snell::io {
 namespace {
@@ -18,23 +18,8 @@ struct Metal {
   std::vector<std::array<double, 3>> rows;  // nanometres, n, k
 };
 
-const std::array<Metal, 7>& Metals() {
-  static const std::array<Metal, 7> metals = {{
-      {"Ag",
-       {{381.5, 0.05, 1.864},
-        {397.4, 0.05, 2.07},
-        {413.3, 0.05, 2.275},
-        {430.5, 0.04, 2.462},
-        {450.9, 0.04, 2.657},
-        {471.4, 0.05, 2.869},
-        {495.9, 0.05, 3.093},
-        {520.9, 0.05, 3.324},
-        {548.6, 0.06, 3.586},
-        {582.1, 0.05, 3.858},
-        {616.8, 0.06, 4.152},
-        {659.5, 0.05, 4.483},
-        {704.5, 0.04, 4.838},
-        {756, 0.03, 5.242}}},
+const std::array<Metal, 4>& Metals() {
+  static const std::array<Metal, 4> metals = {{
       {"Al",
        {{375, 0.43, 4.54},
         {400, 0.49, 4.86},
@@ -45,21 +30,6 @@ const std::array<Metal, 7>& Metals() {
         {650, 1.47, 7.79},
         {700, 1.83, 8.31},
         {750, 2.40, 8.62}}},
-      {"Au",
-       {{381.5, 1.46, 1.933},
-        {397.4, 1.47, 1.952},
-        {413.3, 1.46, 1.958},
-        {430.5, 1.45, 1.948},
-        {450.9, 1.38, 1.914},
-        {471.4, 1.31, 1.849},
-        {495.9, 1.04, 1.833},
-        {520.9, 0.62, 2.081},
-        {548.6, 0.43, 2.455},
-        {582.1, 0.29, 2.863},
-        {616.8, 0.21, 3.272},
-        {659.5, 0.14, 3.697},
-        {704.5, 0.13, 4.103},
-        {756, 0.14, 4.542}}},
       {"Cu",
        {{387.5, 1.232, 2.07},
         {413.3, 1.184, 2.21},
@@ -72,22 +42,6 @@ const std::array<Metal, 7>& Metals() {
         {619.9, 0.272, 3.24},
         {652.5, 0.214, 3.67},
         {670.2, 0.215, 3.86}}},
-      {"CuZn",
-       {{380, 1.487, 1.818},
-        {400, 1.445, 1.805},
-        {420, 1.350, 1.786},
-        {440, 1.191, 1.797},
-        {460, 0.994, 1.883},
-        {480, 0.816, 2.046},
-        {500, 0.686, 2.250},
-        {520, 0.602, 2.464},
-        {540, 0.549, 2.668},
-        {560, 0.505, 2.860},
-        {580, 0.468, 3.059},
-        {600, 0.450, 3.253},
-        {640, 0.444, 3.609},
-        {700, 0.446, 4.106},
-        {760, 0.458, 4.579}}},
       {"MgO", {{400, 1.761, 0}, {500, 1.745, 0}, {600, 1.736, 0}, {700, 1.731, 0}}},
       {"TiO2", {{430, 2.871, 0}, {500, 2.711, 0}, {600, 2.605, 0}, {700, 2.550, 0}}},
   }};
@@ -143,6 +97,19 @@ std::map<std::string, PbrtTable, std::less<>> MakeTables() {
       k.values.push_back(extinction);
     }
   }
+  const auto measured = [&](const char* symbol, const char* name) {
+    const std::string prefix = std::string("metal-") + symbol;
+    PbrtTable &eta = tables[prefix + "-eta"], &k = tables[prefix + "-k"];
+    for (const scene::IndexSample& sample : scene::FindMetal(name)->samples) {
+      eta.wavelengths.push_back(sample.nanometres);
+      eta.values.push_back(sample.n);
+      k.wavelengths.push_back(sample.nanometres);
+      k.values.push_back(sample.k);
+    }
+  };
+  measured("Ag", "silver");
+  measured("Au", "gold");
+  measured("CuZn", "brass");
   const auto add = [&](const Glass& glass) {
     tables[std::string(glass.name)] = {{587.6}, {glass.ior}};
   };

@@ -8,10 +8,16 @@
 #include <string_view>
 #include <vector>
 
-#include "io/pbrt/color.h"
+#include "image/spectrum.h"
+#include "scene/scene.h"
 #include "util/error.h"
 
 namespace snell::io {
+
+using image::BlackbodyRadiance;
+using image::LightColor;
+using image::ReflectanceColor;
+using image::SpectralFunction;
 
 // Values between which lines are drawn; constant beyond the ends.
 struct PbrtTable {

@@ -40,19 +40,29 @@ void PbrtView::ReadCamera(const std::string& type, const PbrtParameters& paramet
     if (w.size() != 4 || !(w[1] > w[0]) || !(w[3] > w[2]))
       throw Error("the screen window needs four numbers: x from and to, y from and to",
                   parameters.Peek("screenwindow")->place);
-    if (std::abs(w[0] + w[1]) + std::abs(w[2] + w[3]) > 1e-3 * (w[3] - w[2]))
-      findings.Add("screen window", "off the line of sight: moved to its middle", "", camera.place);
   }
   exposureTime_ =
       double(parameters.Number("shutterclose", 1) - parameters.Number("shutteropen", 0));
-  if (parameters.Number("lensradius", 0) > 0)
-    findings.Add("lens", "without depth of field", "", camera.place);
-  parameters.Ignore({"focaldistance"});
-  if (type == "realistic" || type == "spherical") {
-    parameters.Ignore({"lensfile", "aperturediameter", "aperture", "mapping"});
-    findings.Add(fmt::format("{} camera", Quoted(type)), "approximated by a perspective one", "",
-                 camera.place);
-  } else if (type != "perspective" && type != "orthographic") {
+  if (type == "perspective" || type == "orthographic") {
+    camera.lensRadius = parameters.Number("lensradius", 0);
+    camera.focalDistance = parameters.Number("focaldistance", 1e6f);
+    if (camera.lensRadius < 0 || !(camera.focalDistance > 0))
+      throw Error("a lens needs a radius that is not negative and a positive focal distance",
+                  camera.place);
+  } else if (type == "spherical") {
+    camera.isPanorama = true;
+    parameters.Ignore({"lensradius", "focaldistance"});
+    const std::string mapping = parameters.String("mapping", "equalarea");
+    if (mapping == "equalarea") {
+      findings.Add("equal-area camera", "approximated by an equirectangular one", "", camera.place);
+    } else if (mapping != "equirectangular") {
+      throw Error(fmt::format("a spherical camera has no mapping {}", Quoted(mapping)),
+                  camera.place);
+    }
+  } else if (type == "realistic") {
+    parameters.Ignore({"lensradius", "focaldistance", "lensfile", "aperturediameter", "aperture"});
+    findings.Add("'realistic' camera", "approximated by a perspective one", "", camera.place);
+  } else {
     throw Error(fmt::format("there is no camera of type {}", Quoted(type)), camera.place);
   }
   camera_ = camera;
@@ -159,7 +169,16 @@ void PbrtView::Finish() {
   const double reach = std::max(1.0, glm::length(position));
   camera.lookAt = scene::vec3(position + glm::normalize(forward) * reach);
   camera.up = scene::vec3(glm::normalize(up));
-  if (camera_->isOrthographic) {
+  camera.lens.radius = camera_->lensRadius * float(glm::length(up));
+  camera.lens.focusDistance = camera_->focalDistance * float(glm::length(forward));
+  if (const std::vector<double>& w = camera_->screenWindow; !w.empty())
+    camera.shift =
+        scene::vec2((w[0] + w[1]) / (2 * (w[1] - w[0])), (w[2] + w[3]) / (2 * (w[3] - w[2])));
+  if (camera_->isPanorama) {
+    // From the right by the front to the left
+    camera.kind = scene::CameraKind::Panorama;
+    camera.longitude = scene::vec2(0.5, -1.5) * std::numbers::pi_v<float>;
+  } else if (camera_->isOrthographic) {
     camera.kind = scene::CameraKind::Orthographic;
     camera.height = float(ScreenHeight() * glm::length(up));
   } else {
@@ -172,7 +191,7 @@ void PbrtView::Finish() {
   const std::vector<double>& w = camera_->screenWindow;
   const double window =
       w.empty() ? double(camera_->frameAspectRatio) : (w[1] - w[0]) / (w[3] - w[2]);
-  if (window > 0 && std::abs(window * height_ / width_ - 1) > 0.01)
+  if (!camera_->isPanorama && window > 0 && std::abs(window * height_ / width_ - 1) > 0.01)
     context_.findings.Add("picture", "with pixels that are no squares: the height counts", "",
                           camera_->place);
 }

@@ -33,10 +33,13 @@ class PbrtView {
  private:
   struct Camera {
     bool isOrthographic = false;
+    bool isPanorama = false;
     scene::Affine worldFromCamera{1.0};
     float fov = 90;  // degrees, across the shorter side of a picture
     float frameAspectRatio = 0;
     std::vector<double> screenWindow;
+    float lensRadius = 0;  // as the next: in the camera's space
+    float focalDistance = 1e6f;
     Place place;
   };
   double ScreenHeight() const;

@@ -93,12 +93,40 @@ TEST(PbrtView, OrthographicCamerasShowTheirWindow) {
   EXPECT_NEAR(CameraOf("Scale 0.5 0.5 0.5 Camera \"orthographic\"", 200, 200).height, 4, 1e-5);
 }
 
+TEST(PbrtView, LensesKeepTheirSizeInTheWorld) {
+  const std::string lens = " \"float lensradius\" 0.5 \"float focaldistance\" 7";
+  const scene::Camera plain = CameraOf("Camera \"perspective\"" + lens, 200, 200);
+  EXPECT_FLOAT_EQ(plain.lens.radius, 0.5f);
+  EXPECT_FLOAT_EQ(plain.lens.focusDistance, 7);
+  // The world is twice the camera's
+  const scene::Camera scaled =
+      CameraOf("Scale 0.5 0.5 0.5 Camera \"orthographic\"" + lens, 200, 200);
+  EXPECT_FLOAT_EQ(scaled.lens.radius, 1);
+  EXPECT_FLOAT_EQ(scaled.lens.focusDistance, 14);
+}
+
+TEST(PbrtView, WindowsOffTheLineOfSightAreShifts) {
+  const scene::Camera camera =
+      CameraOf("Camera \"perspective\" \"float screenwindow\" [ 0 2 -0.5 1.5 ]", 300, 300);
+  EXPECT_FLOAT_EQ(camera.shift.x, 0.5f);
+  EXPECT_FLOAT_EQ(camera.shift.y, 0.25f);
+}
+
+TEST(PbrtView, SphericalCamerasLookAllAround) {
+  // pbrt begins on the camera's right and goes by its front to the left
+  const scene::Camera camera =
+      CameraOf("Camera \"spherical\" \"string mapping\" \"equirectangular\"", 400, 200);
+  EXPECT_EQ(camera.kind, scene::CameraKind::Panorama);
+  EXPECT_NEAR(camera.longitude.x, 90 * Degree, 1e-6);
+  EXPECT_NEAR(camera.longitude.y, -270 * Degree, 1e-6);
+}
+
 TEST(PbrtView, OtherCamerasAreApproximated) {
   PbrtTestScene file;
+  file.Read("Camera \"realistic\" WorldBegin LightSource \"point\" Shape \"sphere\"");
+  EXPECT_TRUE(file.Warned("'realistic' camera approximated by a perspective one"));
   file.Read("Camera \"spherical\" WorldBegin LightSource \"point\" Shape \"sphere\"");
-  EXPECT_TRUE(file.Warned("'spherical' camera approximated by a perspective one"));
-  file.Read("Camera \"perspective\" \"float lensradius\" 1 WorldBegin Shape \"sphere\"");
-  EXPECT_TRUE(file.Warned("without depth of field"));
+  EXPECT_TRUE(file.Warned("equal-area camera approximated by an equirectangular one"));
 }
 
 TEST(PbrtView, SettingsAreRead) {

@@ -160,16 +160,25 @@ TEST_F(PbrtWorld, DistantLightsHaveTheirIrradiance) {
   EXPECT_FLOAT_EQ(light.color.y * light.strength, 6);
 }
 
-TEST_F(PbrtWorld, InfiniteLightsAreSeenAndGathered) {
+TEST_F(PbrtWorld, InfiniteLightsAreTheEnvironment) {
   Read("LightSource \"infinite\" \"rgb L\" [ 0.1 0.2 0.3 ] \"float scale\" 2");
   EXPECT_EQ(scene_.environment.top, scene::Spectrum(0.2f, 0.4f, 0.6f));
   EXPECT_EQ(scene_.environment.bottom, scene_.environment.top);
-  EXPECT_EQ(scene_.lights.at(0).kind, scene::LightKind::Ambient);
+  EXPECT_TRUE(scene_.environment.ambient);
+  EXPECT_TRUE(scene_.lights.empty());
   file_.Paint("sky.exr", {0.25f, 0.5f, 1}, 8);
-  Read("LightSource \"infinite\" \"string filename\" \"sky.exr\"");
-  EXPECT_NEAR(scene_.environment.top.z, 1, 1e-3f);
-  EXPECT_NEAR(scene_.environment.bottom.x, 0.25f, 1e-3f);
-  EXPECT_TRUE(file_.Warned("environment map approximated"));
+  Read("LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float scale\" 2");
+  ASSERT_EQ(scene_.environment.map, 0);
+  EXPECT_EQ(scene_.environment.mapScale, scene::Spectrum(2.0f));
+  for (std::size_t i = 0; i < scene_.images[0].floats.size(); i += 4) {
+    ASSERT_NEAR(scene_.images[0].floats[i], 0.25f, 1e-3f);
+    ASSERT_NEAR(scene_.images[0].floats[i + 2], 1, 2e-3f);
+  }
+  EXPECT_TRUE(file_.warnings.empty());
+  Read(
+      "LightSource \"infinite\" \"string filename\" \"sky.exr\" LightSource \"infinite\" \"rgb L\" "
+      "[ 1 1 1 ]");
+  EXPECT_TRUE(file_.Warned("infinite light left out"));
 }
 
 TEST_F(PbrtWorld, EmittingShapesAreLights) {

@@ -175,6 +175,8 @@ const Mistake Values[] = {
      "[0, 0, -1]"},
     {"[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"", "4:8: two cameras have the name 'a'"},
     {"[environment]\ncolor = [0, -1, 0]", "2:13: 'color': expected a number >= 0, found -1"},
+    {"[environment]\nmap = \"a.hdr\"\ncolor = 1",
+     "3:1: 'map' and 'color' exclude each other in [environment]"},
     {"[environment]\nbottom_elevation = 30\ntop_elevation = 10",
      "3:17: 'bottom_elevation' is not less than 'top_elevation' in [environment]"},
     {"[material.x]\ntype = \"phong\"\ndiffuse = [1.5, 0, 0]",

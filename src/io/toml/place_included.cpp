@@ -36,10 +36,14 @@ scene::MaterialIndex MaterialOf(Reader& reader, const Member& member, const Surr
 scene::Camera Placed(scene::Camera camera, const Affine& toWorld) {
   const auto point = [&](vec3 p) { return vec3(toWorld * glm::dvec4(glm::dvec3(p), 1.0)); };
   const glm::dvec3 up = glm::dmat3(toWorld) * glm::normalize(glm::dvec3(camera.up));
+  const glm::dvec3 ahead =
+      glm::dmat3(toWorld) * glm::normalize(glm::dvec3(camera.lookAt) - glm::dvec3(camera.position));
   camera.position = point(camera.position);
   camera.lookAt = point(camera.lookAt);
   camera.up = vec3(glm::normalize(up));
   camera.height = float(double(camera.height) * glm::length(up));
+  camera.lens.radius = float(double(camera.lens.radius) * glm::length(up));
+  camera.lens.focusDistance = float(double(camera.lens.focusDistance) * glm::length(ahead));
   return camera;
 }
 

@@ -35,6 +35,7 @@ class SceneReader {
     for (Diagnostic& error : reader_.meshes.Load(reader_.scene.meshes, reader_.limits, warn))
       reader_.Report(std::move(error.message), std::move(error.place), std::move(error.hint));
     reader_.inclusions.Load(reader_, warn);
+    PlaceEnvironment(reader_, document_.environment, environment_);
     for (Group& group : groups_)
       for (Member& member : group.members)
         if (member.included) ReplaceMaterials(reader_, *member.included);
@@ -50,9 +51,7 @@ class SceneReader {
     RenderDraft render;
     if (ReadTable(reader_, RenderSection(), document_.render, render))
       reader_.scene.settings = render.settings;
-    EnvironmentDraft environment;
-    if (ReadTable(reader_, EnvironmentSection(), document_.environment, environment))
-      reader_.scene.environment = environment.environment;
+    ReadTable(reader_, EnvironmentSection(), document_.environment, environment_);
   }
 
   void ReadCameras() {
@@ -154,6 +153,7 @@ class SceneReader {
 
   Reader& reader_;
   const Document& document_;
+  EnvironmentDraft environment_;
   std::vector<Group> groups_;
 };
 

@@ -55,6 +55,7 @@ filter = "tent"
 filter_radius = 1.5
 exposure = -1
 shadows = "opaque"
+clamp_indirect = 2.5
 seed = 4294967295
 )")
                                              .settings;
@@ -67,6 +68,7 @@ seed = 4294967295
   EXPECT_EQ(settings.filterRadius, 1.5f);
   EXPECT_EQ(settings.exposure, -1);
   EXPECT_FALSE(settings.tintedShadows);
+  EXPECT_EQ(settings.clampIndirect, 2.5f);
   EXPECT_EQ(settings.seed, 4294967295u);
 }
 

@@ -152,9 +152,11 @@ static VariantOf<LightDraft> DirectionalLight() {
   const auto size = Field("angular_size", &Light::angularSize, Degrees({0, 180}),
                           "Diameter as seen from the scene; the sun's is 0.53. 0: sharp shadows.")
                         .Not({"angle", "size", "radius", "softness"});
+  const auto visible = Field("visible", &Light::visible, Boolean(),
+                             "Whether the path tracer's camera and mirrors see its disc.");
   return VariantOf<LightDraft>(
              "directional", "Parallel light from far away, such as the sun's.",
-             Join<LightDraft>({In({direction}), irradiance, In({size, SamplesKey()})}))
+             Join<LightDraft>({In({direction}), irradiance, In({size, SamplesKey(), visible})}))
       .Begin([](LightDraft& draft) { draft.light.kind = LightKind::Directional; });
 }
 

@@ -44,12 +44,7 @@ const SectionOf<Medium>& MediumSection() {
 }
 
 Keys<OpenPbr> InteriorKeys() {
-  return {Field("transmission_color", &OpenPbr::transmissionColor, Color(Brightness::Reflectance),
-                "What is left of white light after `transmission_depth` inside; without a depth, "
-                "after passing the surface."),
-          Field("transmission_depth", &OpenPbr::transmissionDepth, Number({0, 1e30}, "m"),
-                "The distance inside after which white light has `transmission_color`."),
-          Field("transmission_scatter", &OpenPbr::transmissionScatter, Color(Brightness::Unlimited),
+  return {Field("transmission_scatter", &OpenPbr::transmissionScatter, Color(Brightness::Unlimited),
                 "The share of light that is scattered inside along `transmission_depth`, for "
                 "little of it: makes milk of water."),
           Field("transmission_scatter_anisotropy", &OpenPbr::transmissionScatterAnisotropy,

@@ -11,14 +11,10 @@
 
 namespace snell::io {
 
-using glm::dvec3;
-using scene::Camera;
-using scene::Environment;
 using scene::Integrator;
+using scene::LightSampling;
 using scene::PixelFilter;
 using scene::RenderSettings;
-
-static constexpr float Degree = 0.0174532925199f;
 
 // --- [render] -----------------------------------------------------------------------------------------------
 
@@ -27,11 +23,13 @@ static Keys<RenderSettings> SamplingKeys() {
       Choice<Integrator>({{"whitted", Integrator::Whitted}, {"path", Integrator::Path}});
   return {
       Field("spp", &RenderSettings::spp, Integer(1, 1 << 20), "Samples per pixel.")
+          .Standard("`16`, by paths `64`")
           .Not({"samples", "samples_per_pixel"}),
       Field("seed", &RenderSettings::seed, Seed(), "Another number gives other noise."),
       Field("integrator", &RenderSettings::integrator, integrators,
             "How light is followed: a tree of mirrored and refracted rays, or paths with all "
-            "reflections between surfaces."),
+            "reflections between surfaces.")
+          .Standard("`\"path\"` if an object has a physical material, else `\"whitted\"`"),
       Field("max_depth", &RenderSettings::maxDepth, Integer(1, 1000),
             "Longest chain of rays; 1: rays from the camera only.")
           .Not({"depth", "recursion", "max_recursion", "bounces"}),
@@ -41,9 +39,17 @@ static Keys<RenderSettings> SamplingKeys() {
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
+      Field("clamp_indirect", &RenderSettings::clampIndirect, Number({0, 1e9}, "W/(sr·m²)"),
+            "Path tracer: the most that indirect light adds to a pixel at once, 0: any. Removes "
+            "fireflies and with them some light; how much is told.")
+          .Not({"clamp", "firefly_clamp", "max_radiance"}),
       Field("shadows", &RenderSettings::tintedShadows,
             Choice<bool>({{"tinted", true}, {"opaque", false}}),
-            "Whether clear materials colour the light that they let through, or block it.")};
+            "Whether clear materials colour the light that they let through, or block it."),
+      Field("light_sampling", &RenderSettings::lightSampling,
+            Choice<LightSampling>({{"tree", LightSampling::Tree}, {"power", LightSampling::Power}}),
+            "How the path tracer chooses among lights and what glows: by what each can bring to a "
+            "point, or by power alone, as a measure of what the former saves.")};
 }
 
 static Keys<RenderSettings> PictureKeys() {
@@ -51,7 +57,13 @@ static Keys<RenderSettings> PictureKeys() {
                                             {"tent", PixelFilter::Tent},
                                             {"gaussian", PixelFilter::Gaussian},
                                             {"blackman-harris", PixelFilter::BlackmanHarris}});
+  const auto samplers = Choice<scene::Sampler>(
+      {{"sobol", scene::Sampler::Sobol}, {"independent", scene::Sampler::Independent}});
   return {
+      Field("sampler", &RenderSettings::sampler, samplers,
+            "The path tracer's samples: of a sequence that covers pixels and lights evenly, or "
+            "random numbers, "
+            "which take more samples to the same picture."),
       Field("filter", &RenderSettings::filter, filters, "How samples are weighted around a pixel."),
       Field("filter_radius", &RenderSettings::filterRadius, Number({0, 16}, "pixels"),
             "Radius of the filter; 0: the usual one of its kind."),
@@ -75,132 +87,6 @@ const SectionOf<RenderDraft>& RenderSection() {
                                                 Within(&RenderDraft::settings, SamplingKeys()),
                                                 Within(&RenderDraft::settings, PictureKeys())}))
           .Checked(FinishRender);
-  return section;
-}
-
-// --- [camera] -----------------------------------------------------------------------------------------------
-
-// A point so far along the direction that the sum keeps the direction's digits.
-static vec3 PointAhead(const vec3& position, const vec3& direction) {
-  float distance = 1;
-  for (int axis = 0; axis < 3; ++axis) distance = std::max(distance, std::abs(position[axis]));
-  return position + direction * distance;
-}
-
-static void CheckCamera(Reader& reader, const Fields& fields, CameraDraft& draft) {
-  Camera& camera = draft.camera;
-  if (draft.direction) camera.lookAt = PointAhead(camera.position, *draft.direction);
-  const dvec3 forward = dvec3(camera.lookAt) - dvec3(camera.position);
-  if (!(glm::length(forward) > 0)) {
-    reader.Report(fmt::format("the camera looks at its own position in {}", fields.title),
-                  fields.PlaceOf(fields.Find("look_at") ? "look_at" : "position"));
-    return;
-  }
-  const dvec3 side = glm::cross(glm::normalize(forward), glm::normalize(dvec3(camera.up)));
-  if (!(glm::length(side) > 1e-6))
-    reader.Report(fmt::format("'up' is parallel to the line of sight in {}", fields.title),
-                  fields.PlaceOf("up"),
-                  fields.Find("up") ? "" : "give another 'up', such as [0, 0, -1]");
-}
-
-// Camera's keys as the draft's.
-static Keys<CameraDraft> In(const Keys<Camera>& keys) { return Within(&CameraDraft::camera, keys); }
-
-static Keys<CameraDraft> ViewKeys() {
-  const auto name =
-      Field("name", &Camera::name, Text("front"), "For the command line.").Standard("none");
-  const auto position = Field("position", &Camera::position, Point(), "Where the camera stands.")
-                            .Not({"eye", "from", "origin", "pos", "location"});
-  const auto lookAt =
-      Field("look_at", &Camera::lookAt, Point(), "A point in the middle of the picture.")
-          .Not({"target", "to", "at", "lookat", "center"});
-  const auto direction = Field("direction", &CameraDraft::direction, Direction(),
-                               "The line of sight, in place of `look_at`.")
-                             .Standard("by `look_at`")
-                             .Not({"forward", "dir"});
-  const auto up = Field("up", &Camera::up, NotZero(""), "What points up in the picture.");
-  return Join<CameraDraft>({In({name, position, lookAt}), {direction}, In({up})});
-}
-
-static VariantOf<CameraDraft> Pinhole() {
-  const auto fov = Field("fov", &Camera::fov, Degrees({0, 180, true}), "Vertical angle of view.")
-                       .Not({"angle", "field_of_view", "zoom"});
-  return VariantOf<CameraDraft>("pinhole", "With perspective.", In({fov}))
-      .Begin([](CameraDraft& draft) {
-        draft.camera.kind = scene::CameraKind::Pinhole;
-        draft.camera.fov = 40 * Degree;
-      });
-}
-
-static VariantOf<CameraDraft> Orthographic() {
-  const auto height = Field("height", &Camera::height, Number(Positive, "m"), "Height of the view.")
-                          .Not({"size", "scale"});
-  return VariantOf<CameraDraft>("orthographic", "Without perspective: parallel rays.", In({height}))
-      .Begin([](CameraDraft& draft) { draft.camera.kind = scene::CameraKind::Orthographic; });
-}
-
-const SectionOf<CameraDraft>& CameraSection() {
-  static const SectionOf<CameraDraft> section =
-      SectionOf<CameraDraft>(
-          "camera", "[camera]",
-          "Where the picture is taken from. `[[camera]]` may stand several times; the first is "
-          "used unless the command line names another. Without a camera, one is chosen that shows "
-          "everything.",
-          ViewKeys())
-          .Variants("type", {Pinhole(), Orthographic()}, "pinhole")
-          .OnlyOne({{"look_at"}, {"direction"}})
-          .Checked(CheckCamera);
-  return section;
-}
-
-// --- [environment] ------------------------------------------------------------------------------------------
-
-static void CheckEnvironment(Reader& reader, const Fields& fields, EnvironmentDraft& draft) {
-  if (draft.color) draft.environment.bottom = draft.environment.top = *draft.color;
-  if (draft.environment.bottomElevation < draft.environment.topElevation) return;
-  reader.Report(
-      fmt::format("'bottom_elevation' is not less than 'top_elevation' in {}", fields.title),
-      fields.PlaceOf(fields.Find("top_elevation") ? "top_elevation" : "bottom_elevation"));
-}
-
-static Keys<Environment> GradientKeys() {
-  return {Field("bottom", &Environment::bottom, Color(Brightness::Unlimited),
-                "Radiance at and below `bottom_elevation`.")
-              .Not({"bottom_color", "ground", "low"}),
-          Field("top", &Environment::top, Color(Brightness::Unlimited),
-                "Radiance at and above `top_elevation`.")
-              .Not({"top_color", "sky", "high"}),
-          Field("bottom_elevation", &Environment::bottomElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient begins."),
-          Field("top_elevation", &Environment::topElevation, Degrees({-90, 90}),
-                "Angle above the horizon where the gradient ends.")};
-}
-
-const SectionOf<EnvironmentDraft>& EnvironmentSection() {
-  const auto color = Field("color", &EnvironmentDraft::color, Color(Brightness::Unlimited),
-                           "Radiance from all directions, W/(sr·m²).")
-                         .Standard("by `bottom` and `top`")
-                         .Not({"radiance", "background", "colour"});
-  const auto ior = Field("ior", &Environment::ior, Number({0.1, 10}),
-                         "Index of refraction of the space around the objects.")
-                       .Not({"index", "refractive_index", "index_of_refraction"});
-  const auto medium =
-      Field("medium", &Environment::medium, TableOf(MediumSection, "a table of a medium"),
-            "What fills the space around the objects without end, such as fog; only the path "
-            "tracer shows it.")
-          .Standard("nothing")
-          .Example("{ scattering = 0.05, absorption = 0.01 }")
-          .Not({"fog", "volume", "atmosphere"});
-  static const SectionOf<EnvironmentDraft> section =
-      SectionOf<EnvironmentDraft>(
-          "environment", "[environment]",
-          "What is behind everything: one colour, or a gradient from bottom to top. It is seen, "
-          "also in mirrors; matt surfaces are lit by it in the path tracer alone.",
-          Join<EnvironmentDraft>({{color},
-                                  Within(&EnvironmentDraft::environment, GradientKeys()),
-                                  Within(&EnvironmentDraft::environment, {ior, medium})}))
-          .OnlyOne({{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}})
-          .Checked(CheckEnvironment);
   return section;
 }
 
@@ -277,11 +163,12 @@ const SectionOf<GroupDraft>& GroupSection() {
 
 const std::vector<const Section*>& AllSections() {
   static const std::vector<const Section*> sections = {
-      &FileSection(),          &RenderSection(),   &CameraSection(),       &EnvironmentSection(),
-      &LightSection(),         &ObjectSection(),   &MeshSection(),         &GroupSection(),
-      &TransformStepSection(), &RotationSection(), &LookAtSection(),       &MaterialSection(),
-      &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(), &TermSection(),
-      &MediumSection(),        &TextureSection(),  &TintSection()};
+      &FileSection(),     &RenderSection(),        &CameraSection(),   &EnvironmentSection(),
+      &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
+      &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
+      &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
+      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection(),
+      &ChannelSection()};
   return sections;
 }
 

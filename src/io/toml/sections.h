@@ -14,6 +14,7 @@
 
 #include "io/toml/table.h"
 #include "scene/scene.h"
+#include "scene/sky/sky.h"
 
 namespace snell::io {
 
@@ -90,16 +91,24 @@ struct MaterialDraft {
   scene::Medium volume;
   std::filesystem::path gridFile;
   std::string gridName;
+  // Of physical ones
+  std::string metal;
+  std::string glass;
+  float emissionLuminance = 0;  // cd/m²
+  ColorInput emissionColor{Spectrum(1.0f)};
 };
 
 const SectionOf<TextureDraft>& TextureSection();
 const SectionOf<Tint>& TintSection();
+const SectionOf<scene::ScalarInput>& ChannelSection();
 const SectionOf<scene::Term>& TermSection();
 const SectionOf<MaterialDraft>& MaterialSection();
 
 // The name of a texture, for keys that take nothing else.
 Type<scene::TextureIndex> TextureName();
-// The keys of normal and bump maps, and the types of materials that are physical (toml_section_physical.cpp).
+// A number, a texture's name, or { texture, channel, factor } (scalar.cpp).
+Type<scene::ScalarInput> NumberOrTexture(Range range, const std::string& unit = "");
+// The keys of normal and bump maps, and the type of physical materials (section_physical.cpp).
 Keys<MaterialDraft> MapKeys();
 VariantOf<MaterialDraft> PhysicalMaterial();
 
@@ -214,6 +223,19 @@ void ReplaceMaterials(Reader& reader, IncludedFile& file);
 // The mesh of a draft that has passed its checks.
 scene::Mesh BuildMesh(const MeshDraft& draft);
 
+// --- Cameras (toml_section_camera.cpp) ----------------------------------------------------------------------
+
+struct CameraDraft {
+  scene::Camera camera;
+  std::optional<vec3> direction;
+  std::optional<float> horizontalFov;  // radians
+  std::optional<float> focalLength;    // mm
+  float sensorHeight = 24;             // mm
+  std::optional<float> fStop;
+  std::optional<float> focusDistance;
+  std::optional<vec3> focusAt;
+};
+
 // --- Single tables (toml_section_scene.cpp) -----------------------------------------------------------------
 
 struct RenderDraft {
@@ -221,14 +243,25 @@ struct RenderDraft {
   std::array<int, 2> size{settings.width, settings.height};
 };
 
-struct CameraDraft {
-  scene::Camera camera;
+struct SkyDraft {
+  scene::SkyModel model;  // what the others say, when all is read
+  float elevation = 45 * 0.0174532925199f;
+  float azimuth = 135 * 0.0174532925199f;
   std::optional<vec3> direction;
+  std::optional<double> time;  // scene/sky/sun_position.h
+  std::optional<float> latitude;
+  std::optional<float> longitude;
+  float turbidity = 2.5f;
+  Spectrum ground{0.2f};
+  bool sun = true;
 };
 
 struct EnvironmentDraft {
   scene::Environment environment;
   std::optional<Spectrum> color;
+  std::optional<std::filesystem::path> map;
+  std::optional<SkyDraft> sky;
+  float strength = 1;
 };
 
 // What a file and a group may define; the reader takes these keys itself.
@@ -238,8 +271,12 @@ struct GroupDraft {};
 const SectionOf<RenderDraft>& RenderSection();
 const SectionOf<CameraDraft>& CameraSection();
 const SectionOf<EnvironmentDraft>& EnvironmentSection();
+const SectionOf<SkyDraft>& SkySection();
 const SectionOf<FileDraft>& FileSection();
 const SectionOf<GroupDraft>& GroupSection();
+
+// Make it the scene's: loads its map, computes its sky.
+void PlaceEnvironment(Reader& reader, const Fields& fields, const EnvironmentDraft& draft);
 
 // All sections, in the order of the reference page.
 const std::vector<const Section*>& AllSections();

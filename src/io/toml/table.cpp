@@ -72,6 +72,9 @@ class TableReader {
 
   bool ChooseStandard() {
     for (const Variant& variant : section_.variants)
+      for (const Key& key : variant.keys)
+        if (key.tells && fields_.Find(key.name)) return variant_ = &variant, true;
+    for (const Variant& variant : section_.variants)
       if (variant.name == section_.standard && !section_.standard.empty()) variant_ = &variant;
     if (variant_) return true;
 

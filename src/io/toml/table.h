@@ -30,6 +30,7 @@ struct Key {
   std::string
       standard;  // in words, where the record's default does not tell what happens without the key
   bool required = false;
+  bool tells = false;                 // its presence chooses its variant where no selector does
   std::vector<std::string> mistakes;  // what people write who mean this key
 
   // Read a value into the record; false: reported. Null for keys that the table's reader takes itself.
@@ -100,6 +101,7 @@ std::string DefaultOf(const Section& section, const Variant* variant, const Key&
 template <class Record>
 struct KeyOf : Key {
   KeyOf Required() && { return required = true, std::move(*this); }
+  KeyOf Tells() && { return tells = true, std::move(*this); }
   KeyOf Example(std::string toml) && { return example = std::move(toml), std::move(*this); }
   KeyOf Standard(std::string words) && { return standard = std::move(words), std::move(*this); }
   KeyOf Not(std::vector<std::string> words) && {

@@ -20,6 +20,7 @@ const std::map<std::string, std::string> Frames = {
     {"render", "[render]\n$"},
     {"camera", "[camera]\n$"},
     {"environment", "[environment]\n$"},
+    {"sky", "[environment]\nsky = { $ }"},
     {"light", "[[light]]\n$"},
     {"object", "[[object]]\n$\n[group.tree]"},
     {"mesh", "[[object]]\nmesh = { $ }"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/pbrt/color.h"
+#include "image/spectrum.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,7 +10,7 @@
 
 #include "image/chromaticity.h"
 
-namespace snell::io {
+namespace snell::image {
 namespace {
 
 constexpr double FirstWavelength = 380;
@@ -53,29 +54,38 @@ glm::dvec3 Integrate(const SpectralFunction& f, bool inDaylight) {
 }
 
 glm::dvec3 ToRgb(const glm::dvec3& xyz) {
-  static const glm::dmat3 matrix = glm::inverse(image::RgbToXyz({}));
+  static const glm::dmat3 matrix = glm::inverse(RgbToXyz({}));
   return matrix * xyz;
 }
 
 // Colours that Rec.709 cannot show become the nearest on its border.
-scene::Spectrum Clipped(const glm::dvec3& rgb) {
-  return scene::Spectrum(glm::max(rgb, glm::dvec3(0.0)));
-}
+vec3 Clipped(const glm::dvec3& rgb) { return vec3(glm::max(rgb, glm::dvec3(0.0))); }
 
 }  // namespace
 
-scene::Spectrum ReflectanceColor(const SpectralFunction& reflectance) {
+vec3 ReflectanceColor(const SpectralFunction& reflectance) {
   static const glm::dvec3 white = ToRgb(Integrate([](double) { return 1.0; }, true));
   return Clipped(ToRgb(Integrate(reflectance, true)) / white);
 }
 
-scene::Spectrum LightColor(const SpectralFunction& power) {
-  const glm::dvec3 xyz = Integrate(power, false);
-  return xyz.y > 0 && std::isfinite(1 / xyz.y) ? Clipped(ToRgb(xyz / xyz.y))
-                                               : scene::Spectrum(0.0f);
+glm::dvec3 DaylightResponse(double nanometres) {
+  static const glm::dvec3 white = ToRgb(Integrate([](double) { return 1.0; }, true)) * Step;
+  const double place = (nanometres - FirstWavelength) / Step;
+  if (!(place >= 0 && place <= double(Count - 1))) return glm::dvec3(0.0);
+  const std::size_t i = std::min(std::size_t(place), Count - 2);
+  const auto at = [](std::size_t row) {
+    const auto& [x, y, z, d65] = Observer[row];
+    return glm::dvec3(x, y, z) * d65;
+  };
+  return ToRgb(glm::mix(at(i), at(i + 1), place - double(i))) / white;
 }
 
-scene::Spectrum LightColor(const glm::dvec2& chromaticity) {
+vec3 LightColor(const SpectralFunction& power) {
+  const glm::dvec3 xyz = Integrate(power, false);
+  return xyz.y > 0 && std::isfinite(1 / xyz.y) ? Clipped(ToRgb(xyz / xyz.y)) : vec3(0.0f);
+}
+
+vec3 LightColor(const glm::dvec2& chromaticity) {
   const double x = chromaticity.x, y = chromaticity.y;
   return Clipped(ToRgb(glm::dvec3(x / y, 1, (1 - x - y) / y)));
 }
@@ -89,4 +99,4 @@ double BlackbodyRadiance(double nanometres, double kelvin) {
          std::expm1(SecondConstant / (nanometres * kelvin));
 }
 
-}  // namespace snell::io
+}  // namespace snell::image

@@ -6,24 +6,29 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
-#include "scene/scene.h"
+#include "image/image.h"
 
-namespace snell::io {
+namespace snell::image {
 
 // A quantity by wavelength in nanometres.
 using SpectralFunction = std::function<double(double)>;
 
 // Of a reflectance, or whatever multiplies light: 1 everywhere is white. Not negative.
-scene::Spectrum ReflectanceColor(const SpectralFunction& reflectance);
+vec3 ReflectanceColor(const SpectralFunction& reflectance);
+
+// How much red, green and blue see of daylight at a wavelength, where white adds up to 1 over whole nanometres. May be
+// negative.
+glm::dvec3 DaylightResponse(double nanometres);
 
 // Of light, with the luminance 1; black if there is none to be seen.
-scene::Spectrum LightColor(const SpectralFunction& power);
+vec3 LightColor(const SpectralFunction& power);
 
 // Of light with these CIE xy coordinates, with the luminance 1.
-scene::Spectrum LightColor(const glm::dvec2& chromaticity);
+vec3 LightColor(const glm::dvec2& chromaticity);
 
 // Planck's law, without a unit; 0 at 0 K and below.
 double BlackbodyRadiance(double nanometres, double kelvin);
 
-}  // namespace snell::io
+}  // namespace snell::image

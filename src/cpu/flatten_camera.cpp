@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cpu/flatten_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "kernel/math.h"
+#include "scene/camera.h"
+#include "scene/settings.h"
+
+namespace snell::cpu {
+
+using namespace kernel;
+
+namespace {
+
+uint KindOf(const scene::Camera& camera) {
+  switch (camera.kind) {
+    case scene::CameraKind::Pinhole: return CAMERA_PINHOLE;
+    case scene::CameraKind::Orthographic: return CAMERA_ORTHOGRAPHIC;
+    case scene::CameraKind::Panorama: return CAMERA_PANORAMA;
+    case scene::CameraKind::Fisheye: break;
+  }
+  switch (camera.projection) {
+    case scene::FisheyeProjection::Equidistant: return CAMERA_EQUIDISTANT;
+    case scene::FisheyeProjection::Equisolid: return CAMERA_EQUISOLID;
+    case scene::FisheyeProjection::Stereographic: return CAMERA_STEREOGRAPHIC;
+  }
+  return CAMERA_EQUIDISTANT;
+}
+
+bool IsFlat(uint kind) { return kind == CAMERA_PINHOLE || kind == CAMERA_ORTHOGRAPHIC; }
+
+void FlattenLens(const scene::Lens& lens, Camera& flat) {
+  if (!IsFlat(flat.kind) || lens.radius == 0) return;
+  flat.aperture = vec2(lens.radius * lens.ratio, lens.radius);
+  flat.focus = lens.focusDistance;
+  flat.blades = uint(lens.blades);
+  flat.bladeAngle = float(
+      std::remainder(std::numbers::pi / 2 + double(lens.bladeRotation), 2 * std::numbers::pi));
+}
+
+// What a camera ray stands for: a pixel, or less where many samples share it, which the textures' levels of
+// detail need not smooth again (pbrt-v4, section 10.1.2). Pixels of panoramas and fisheyes are taken to be as large as
+// those on the line of sight; a lens does not count, for its rays meet different places.
+void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
+  const int spp = settings.spp > 0 ? settings.spp : scene::WhittedSamples;
+  const float share = std::max(0.125f, 1 / std::sqrt(float(spp)));
+  const float pixel = 2 * params.camera.extent.y / float(params.camera.resolution.y) * share;
+  const bool isParallel = params.camera.kind == CAMERA_ORTHOGRAPHIC;
+  params.coneWidth = isParallel ? pixel : 0;
+  params.coneSpread = isParallel ? 0 : pixel;
+}
+
+}  // namespace
+
+void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
+                   RenderParams& params) {
+  const glm::dvec3 position(camera.position);
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.lookAt) - position);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const glm::dvec2 extent = scene::HalfExtent(camera, settings.width, settings.height);
+  Camera flat = {};
+  flat.kind = KindOf(camera);
+  flat.resolution = {uint(settings.width), uint(settings.height)};
+  flat.position = camera.position;
+  flat.right = vec3(right);
+  flat.up = vec3(up);
+  flat.forward = vec3(forward);
+  flat.extent = vec2(extent);
+  if (IsFlat(flat.kind)) flat.center = vec2(extent * 2.0 * glm::dvec2(camera.shift));
+  if (flat.kind == CAMERA_PANORAMA) {
+    flat.center =
+        vec2(camera.longitude.x + camera.longitude.y, camera.latitude.x + camera.latitude.y) * 0.5f;
+  }
+  flat.rim = float(scene::FisheyeDistance(camera.projection, double(camera.fov) / 2));
+  FlattenLens(camera.lens, flat);
+  params.camera = flat;
+  FlattenCone(settings, params);
+}
+
+bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
+  bvh::Bounds starts;
+  starts.Extend(camera.position);
+  vec2 beside = camera.aperture;
+  if (camera.kind == CAMERA_ORTHOGRAPHIC) beside += glm::abs(camera.center) + camera.extent * 1.1f;
+  if (beside != vec2(0.0f)) {
+    const vec3 reach = Abs(camera.right) * beside.x + Abs(camera.up) * beside.y;
+    starts = {camera.position - reach, camera.position + reach};
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;
+  }
+  return true;
+}
+
+}  // namespace snell::cpu

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scene's camera as the kernel's, and what its rays stand for.
+#pragma once
+
+#include "bvh/bounds.h"
+#include "kernel/types.h"
+#include "scene/scene.h"
+
+namespace snell::cpu {
+
+// Set the camera and the cone of its rays.
+void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
+                   kernel::RenderParams& params);
+
+// Whether a ray of the camera may start in the box.
+bool MayStartIn(const bvh::Bounds& box, const kernel::Camera& camera);
+
+}  // namespace snell::cpu
