@@ -41,8 +41,8 @@ int RunMerge(const MergeArguments& arguments) {
   for (const Output& output : outputs) CheckPictureWritable(output.path, output.options);
   if (arguments.film) CheckFileWritable(*arguments.film);
 
-  const MergeResult result = MergeFilms({arguments.films.begin(), arguments.films.end()},
-                                        arguments.film.value_or(std::string()));
+  const std::vector<std::filesystem::path> films(arguments.films.begin(), arguments.films.end());
+  const MergeResult result = MergeFilms(films, arguments.film.value_or(std::string()));
   if (result.emptyPixels > 0 && !arguments.quiet)
     PrintWarning({fmt::format("no film has samples of {}; black there",
                               Plural(result.emptyPixels, "pixel"))});

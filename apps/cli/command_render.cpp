@@ -136,6 +136,8 @@ int RunRender(const RenderArguments& arguments) {
   RenderOptions options = RenderOptionsOf(arguments, outputs);
   IgnoreWriteSignals();
   CheckOutputs(arguments, outputs, options.film);
+  if (options.film.resume)
+    for (const Output& output : outputs) RemoveAbandoned(output.path);
 
   RenderSummary summary;
   summary.scene = arguments.scene;

@@ -84,10 +84,10 @@ for lamp in scene.get("lamps", []):
     data.shape = "RECTANGLE"
     data.size, data.size_y = u.length, v.length
     data.color = (1, 1, 1)
-    # Blender asks for watts, which a lamp sends out on one side
+    # A quarter of the watts over the area is the radiance
     strongest = max(lamp["radiance"])
     data.color = [c / strongest for c in lamp["radiance"]]
-    data.energy = strongest * math.pi * u.length * v.length
+    data.energy = strongest * 4 * u.length * v.length
     data.cycles.max_bounces = 1024
     normal = u.cross(v)
     middle = add(add(lamp["corner"], lamp["u"], 0.5), lamp["v"], 0.5)

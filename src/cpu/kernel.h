@@ -46,7 +46,6 @@ struct Kernel {
   bool AnyHit(const Ray& ray, float tMax, uint mask) { return bvh.Any(ray, tMax, mask); }
 
 #include "kernel/path.h"
-#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
 #include "kernel/path_sample.h"

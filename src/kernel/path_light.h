@@ -137,16 +137,26 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum none = Spectrum(0.0f, 0.0f, 0.0f);
   vec2 choice = PathSample2D(s);
   vec2 u = PathSample2D(s);
-  if (choice.x < EnvironmentShare()) return SampledEnvironment(s, v, u);
-  choice.x = Min((choice.x - EnvironmentShare()) / (1.0f - EnvironmentShare()), 0.99999994f);
   vec3 from = VertexAbove(v);
+  float environment = EnvironmentShare();
+  LightLiSample li;
   float pick;
-  uint source = ChooseSource(from, VertexFacing(v), choice, pick);
-  if (source == None || pick <= 0.0f) return none;
-  if (source >= params.lightCount)
-    return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
-  LET(Light) light = lights[source];
-  LightLiSample li = SampleLi(light, from, u);
+  float lightPdf = 0.0f;  // 0: the path's own way cannot find the light
+  if (choice.x < environment) {
+    li = SampleEnvironmentLi(u, lightPdf);
+    pick = environment;
+  } else {
+    choice.x = Min((choice.x - environment) / (1.0f - environment), 0.99999994f);
+    uint source = ChooseSource(from, VertexFacing(v), choice, pick);
+    if (source == None || pick <= 0.0f) return none;
+    if (source >= params.lightCount)
+      return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
+    LET(Light) light = lights[source];
+    li = SampleLi(light, from, u);
+    // Rays that start inside a light's sphere do not meet it
+    bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
+    if (light.found == 1u && !isInside) lightPdf = PdfLi(light, from, li.wi, li.distance);
+  }
   if (IsBlack(li.irradiance)) return none;
   float pdf;
   Spectrum f = EvalVertex(v, li.wi, pdf);
@@ -155,13 +165,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum arriving =
       f * li.irradiance *
       PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
-  float weight = 1.0f;
-  // Rays that start inside a light's sphere do not meet it
-  bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
-  if (light.found == 1u && !isInside) {
-    float lightPdf = pick * PdfLi(light, from, li.wi, li.distance);
-    weight = lightPdf / (lightPdf + pdf);
-  }
+  float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }
 

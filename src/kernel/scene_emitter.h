@@ -44,8 +44,12 @@ SCENE_FN SurfaceInteraction SampleEmitter(IN(Emitter) emitter, vec3 from, vec2 u
   }
   bool isShape = emitter.instance == INSTANCE_SHAPE;
   vec2 b = SampleUniformTriangle(u);
-  vec3 point =
-      isShape ? PointOnFlatShape(shapes[emitter.primitive], u) : PointOnTriangle(emitter, b);
+  vec3 point;
+  if (isShape) {
+    point = PointOnFlatShape(shapes[emitter.primitive], u);
+  } else {
+    point = PointOnTriangle(emitter, b);
+  }
   vec3 toPoint = point - from;
   float distance = Length(toPoint);
   ray.d = distance > 0.0f ? toPoint / distance : vec3(0.0f, 0.0f, 1.0f);

@@ -115,6 +115,19 @@ SCENE_FN Spectrum EnvironmentLe(vec3 d, OUT(float) pdf) {
   return MapLe(d, pdf);
 }
 
+// The share of samples of light that go to the map, the others to lights and what glows.
+SCENE_FN float EnvironmentShare() { return params.environment.share; }
+
+// A sample of the map as of a light, with its density per solid angle.
+SCENE_FN LightLiSample SampleEnvironmentLi(vec2 u, OUT(float) pdf) {
+  LightLiSample s;
+  s.wi = SampleMap(u);
+  s.distance = Infinite;
+  s.irradiance = MapLe(s.wi, pdf);
+  s.irradiance = s.irradiance * (pdf > 0.0f ? 1.0f / pdf : 0.0f);
+  return s;
+}
+
 // All that is seen in the unit direction d behind the scene, also the discs of directional lights.
 SCENE_FN Spectrum BackgroundLe(vec3 d, bool fromCamera) {
   if (fromCamera && params.environment.visible == 0u) return Spectrum(0.0f, 0.0f, 0.0f);

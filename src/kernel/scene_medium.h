@@ -24,7 +24,8 @@ SCENE_FN float MediumIor(uint object) {
 }
 
 SCENE_FN Medium MediumOf(uint object) {
-  return object == None ? params.surroundings : materials[objects[object].material].inside;
+  if (object == None) return params.surroundings;
+  return materials[objects[object].material].inside;
 }
 
 // The index for one wavelength, given as in PathState, by Cauchy's formula.

@@ -8,8 +8,8 @@ namespace snell::render {
 
 namespace {
 
-constexpr int GainRadius = 3;
-constexpr double SmallestGain = 1.0 / 64;
+constexpr int GainRadius = 4;
+constexpr double SmallestGain = 1.0 / 16;
 
 // out[p] = the fold of in[q] over q within `radius` of p along rows (stride 1) or columns.
 template <class T, class Fold>
@@ -74,7 +74,7 @@ std::vector<float> DisplayErrors(const Film& film, double scale) {
     const double variance = film.SampleVariance(x(i), y(i));
     if (!(variance > 0)) continue;
     const double gain =
-        independent[i] > 0 ? std::clamp(found[i] / independent[i], SmallestGain, 1.0) : 1.0;
+        independent[i] > 0 ? std::max(found[i] / independent[i], SmallestGain) : 1.0;
     const double error = std::sqrt(gain * variance / film.pixels()[i].count);
     const double mean = Film::Brightness(film.Mean(x(i), y(i)));
     errors[i] = float(DisplayValue(mean + error, scale) - DisplayValue(mean, scale));

@@ -2,7 +2,7 @@
 //
 // How far a pixel is, probably, from its value after endless samples, as it shows on a display. The standard error
 // of the mean of n samples of variance s² is √(g·s²/n): g = 1 if they were independent; how much better Sobol' points
-// do is measured by how close the means of two halves are to one another, over 7 × 7 pixels. The display's curve
+// do is measured by how close the means of two halves are to one another, over 9 × 9 pixels. The display's curve
 // stands for a square root (Dammertz, Hanika, Keller and Lensch 2010, "A hierarchical automatic stopping condition
 // for Monte Carlo global illumination", section 2). Only + − × ÷ √: the same on every machine. docs/long-renders.md
 // says what that is worth.

@@ -206,7 +206,7 @@ struct Environment {
   int sun = -1;             // the light that is the sun of a sky; -1: none
   bool visible = true;      // to the camera; mirrors show it in any case
   bool ambient = false;     // its mean is ambient light to the classic integrator
-  Medium medium;            // around all objects
+  Medium medium = {};       // around all objects
 };
 
 enum class Integrator { Whitted, Path };

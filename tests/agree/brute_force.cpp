@@ -69,7 +69,6 @@ struct BruteForceKernel {
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
-#include "kernel/path_environment.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
 #include "kernel/path_sample.h"

@@ -177,7 +177,7 @@ TEST(Materials, NamedMetalsReflectTheirColour) {
 // Without a word about the integrator, a physical material is path traced: light from a glowing panel arrives.
 TEST(Materials, PhysicalOnesAskForPaths) {
   const std::string scene =
-      "[render]\nsize = 4\nspp = 16\n[camera]\nposition = [0, 2, 3]\nlook_at = [0, 0, 0]\n"
+      "[render]\nsize = [4, 4]\nspp = 16\n[camera]\nposition = [0, 2, 3]\nlook_at = [0, 0, 0]\n"
       "[[object]]\nshape = 'sphere'\ncenter = [0, 8, 0]\nmaterial = { type = 'diffuse', emission = "
       "50 }\n[[object]]\nshape = 'plane'\nmaterial = ";
   EXPECT_GT(MeanOf(PictureOf(scene + "{ type = 'openpbr' }\n")), 0.01);

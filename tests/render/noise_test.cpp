@@ -52,8 +52,8 @@ double DisplayRmse(const Picture& a, const Picture& b) {
 TEST(Noise, IsWhatIsTold) {
   const std::string room = Room(24);
   RenderOptions reference;
-  reference.spp = 16384;
-  reference.samples = {{1000000, 1016384}};
+  reference.spp = 4096;
+  reference.samples = {{1048576, 1052672}};
   const Picture truth = PictureOf(room, reference);
   for (const float target : {0.04f, 0.02f}) {
     RenderOptions options;

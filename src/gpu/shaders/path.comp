@@ -24,7 +24,6 @@
 #include "kernel/path_sample.h"
 #include "kernel/scene_grid.h"
 #include "kernel/path_shadow.h"
-#include "kernel/path_environment.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/path_light.h"

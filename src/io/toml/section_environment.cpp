@@ -80,10 +80,11 @@ const SectionOf<SkyDraft>& SkySection() {
           "sky", "sky",
           "A clear sky, computed from the optics of air, haze and ozone, with the sun as a "
           "directional light. Its watts are weighted by the eye: 1 W stands for 683 lm, so that "
-          "noon brings some 170 W/m² (115,000 lux) and wants an `exposure` of about −6.",
+          "noon brings some 170 W/m² (115,000 lux) and wants an `exposure` of about −5.",
           Join<SkyDraft>({SunKeys(),
                           {Field("turbidity", &SkyDraft::turbidity, Number({1, 15}),
-                                 "Haze: 1 is pure air, 2 to 3 a clear day, 10 thick haze."),
+                                 "Haze: 1 is pure air, 2 to 3 a clear day, 10 thick haze.")
+                               .Example("3"),
                            Field("ground", &SkyDraft::ground, Color(Brightness::Reflectance),
                                  "Reflectance of the ground, which is seen below the horizon.")
                                .Not({"albedo", "ground_albedo"}),
@@ -130,7 +131,8 @@ static Keys<EnvironmentDraft> SourceKeys() {
           .Not({"file", "image", "texture", "hdri"}),
       Field("sky", &EnvironmentDraft::sky,
             TableOf(SkySection, "a table such as { elevation = 30 }"), "A clear sky with the sun.")
-          .Standard("none"),
+          .Standard("none")
+          .Example("{ elevation = 30 }"),
       Field("strength", &EnvironmentDraft::strength, Number(NotNegative),
             "Multiplies the radiance of whatever the environment is.")
           .Not({"intensity", "scale", "brightness"})};

@@ -39,7 +39,7 @@ static Keys<RenderSettings> SamplingKeys() {
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
-      Field("clamp_indirect", &RenderSettings::clampIndirect, Number({0, 1e9}, "W/(sr·m²)"),
+      Field("clamp_indirect", &RenderSettings::clampIndirect, Number(NotNegative, "W/(sr·m²)"),
             "Path tracer: the most that indirect light adds to a pixel at once, 0: any. Removes "
             "fireflies and with them some light; how much is told.")
           .Not({"clamp", "firefly_clamp", "max_radiance"}),

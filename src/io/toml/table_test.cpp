@@ -86,6 +86,11 @@ std::string FileWith(const Case& one, const std::string& name, const std::string
   static const std::set<std::string> OfScenes = {"materials", "lights",  "light_scale", "cameras",
                                                  "scene",     "variant", "time"};
   if (keys.contains("file") && OfScenes.contains(name)) keys["file"] = "\"chair.gltf\"";
+  // A time is one at a place
+  static const std::set<std::string> OfTimes = {"time", "latitude", "longitude"};
+  if (one.section->name == "sky" && OfTimes.contains(name))
+    for (const Key* key : known)
+      if (OfTimes.contains(key->name)) add(*key);
   keys[name] = value;
 
   std::string file = Frames.at(one.section->name);
@@ -112,6 +117,7 @@ const char* const Chair = R"({"asset": {"version": "2.0"}, "materials": [{"name"
 std::vector<std::string> ErrorsOf(const std::string& text) {
   TestScene scene(text);
   if (text.find("bricks.png") != std::string::npos) scene.Write("bricks.png", OnePixel);
+  if (text.find("sky.hdr") != std::string::npos) scene.Write("sky.hdr", OnePixel);
   if (text.find("bunny.ply") != std::string::npos) scene.Write("bunny.ply", Bunny);
   if (text.find("chair.gltf") != std::string::npos) scene.Write("chair.gltf", Chair);
   return scene.Errors();
