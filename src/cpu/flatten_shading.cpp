@@ -280,7 +280,6 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   if (from.volume) {
     m.container = 1;
     m.thin = 0;
-    m.ior = flat.params.environment.ior;
     m.inside = FlattenMedium(*from.volume);
   }
   m.emission = from.emission.value;
@@ -295,8 +294,11 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
 
 void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
   FlattenTextures(scene, flat);
-  for (const scene::Material& material : scene.materials)
+  for (const scene::Material& material : scene.materials) {
     flat.materials.push_back(FlattenMaterial(material, flat));
+    // Boundaries that are not seen bend nothing
+    if (material.volume) flat.materials.back().ior = scene.environment.ior;
+  }
 }
 
 // Whether rays that meet the light see what sampling it gives.

@@ -180,9 +180,11 @@ FN Spectrum DielectricFresnel(IN(Bsdf) b, float cosine) {
   if (b.film > 0.0f)
     fresnel =
         Lerp(b.film, fresnel, FrFilmOnDielectric(cosine, b.filmEta, b.filmPath, b.etaFresnel));
-  if (b.thin == 1u) return fresnel * 2.0f / (one + fresnel);
+  // The back of a sheet reflects, too, if light gets there
+  bool clear = MaxChannel(b.transmissionScale) > 0.0f;
+  if (b.thin == 1u) return clear ? fresnel * 2.0f / (one + fresnel) : fresnel;
   // What cannot be refracted is reflected
-  if (MaxChannel(b.transmissionScale) > 0.0f && RefractedCosine(cosine, b.eta) < 0.0f) return one;
+  if (clear && RefractedCosine(cosine, b.eta) < 0.0f) return one;
   return fresnel;
 }
 

@@ -348,6 +348,7 @@ class Checker {
 bool HasLight(const Scene& scene) {
   if (!scene.lights.empty()) return true;
   if (scene.environment.map >= 0) return true;
+  if (scene.environment.medium.emission != Spectrum(0.0f)) return true;
   if (scene.environment.bottom != Spectrum(0.0f) || scene.environment.top != Spectrum(0.0f))
     return true;
   for (const Object& object : scene.objects) {
@@ -355,6 +356,7 @@ bool HasLight(const Scene& scene) {
     const ColorInput& emission =
         material.physical ? material.physical->emission : material.emission;
     if (emission.value != Spectrum(0.0f)) return true;
+    if (material.volume && material.volume->emission != Spectrum(0.0f)) return true;
   }
   return false;
 }
