@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "api/snell.h"
 #include "cli/commands.h"
@@ -11,6 +12,7 @@
 #include "cli/json.h"
 #include "cli/load_options.h"
 #include "cli/values.h"
+#include "util/file.h"
 #include "util/text.h"
 
 namespace snell::cli {
@@ -19,7 +21,7 @@ namespace {
 
 constexpr const char* Details =
     "Lists cameras, lights, materials, textures, meshes and objects, with the bounds of the "
-    "scene and the memory that a render of it takes.";
+    "scene and the memory that a render of it takes. Of an EXR picture it lists the layers.";
 
 constexpr std::size_t ShownItems = 20;  // of each list, for people
 
@@ -141,7 +143,40 @@ std::string InfoJson(const SceneInfo& info) {
   return json.Finish();
 }
 
+// The channels of an EXR by layers, which are what stands before the last point.
+std::string PictureText(const std::string& name, const PictureInfo& info) {
+  std::map<std::string, std::string> layers;
+  for (const auto& [channel, type] : info.channels) {
+    const std::size_t point = channel.rfind('.');
+    const std::string layer = point == channel.npos ? "the picture" : channel.substr(0, point);
+    const std::string letter = point == channel.npos ? channel : channel.substr(point + 1);
+    layers[layer] += fmt::format("{}{} ({})", layers[layer].empty() ? "" : ", ", letter, type);
+  }
+  std::string text = fmt::format("{}\n  picture    {} × {}\n  layers     {}\n", name, info.width,
+                                 info.height, layers.size());
+  for (const auto& [layer, channels] : layers)
+    text += fmt::format("             {}: {}\n", layer, channels);
+  return text;
+}
+
+std::string PictureJson(const std::string& name, const PictureInfo& info) {
+  JsonWriter json;
+  json.Add("picture", name);
+  json.Add("width", info.width);
+  json.Add("height", info.height);
+  json.BeginObject("channels");
+  for (const auto& [channel, type] : info.channels) json.Add(channel, type);
+  json.End();
+  return json.Finish();
+}
+
 int RunInfo(const InfoArguments& arguments) {
+  if (LowerExtension(arguments.scene) == "exr") {
+    const PictureInfo info = InspectPicture(arguments.scene);
+    PrintOut(arguments.json ? PictureJson(arguments.scene, info)
+                            : Printable(PictureText(arguments.scene, info)));
+    return Succeeded;
+  }
   const SceneInfo info = Inspect(Load(arguments.scene, arguments.load, PrintWarning));
   for (const std::string& warning : info.warnings) PrintWarning({warning, {arguments.scene}});
   PrintOut(arguments.json ? InfoJson(info) : Printable(InfoText(info)));

@@ -85,18 +85,26 @@ std::vector<std::pair<std::string, std::string>> MetadataOf(const RenderArgument
   return metadata;
 }
 
-// Write every picture; false if one is not where it was asked for.
-bool WriteAll(const std::vector<Output>& outputs, const Picture& picture, ProgressBar& bar,
-              RenderSummary& summary) {
+// Write every picture, and its layers as pictures of their own where a format has no room for them; false if one is not
+// where it was asked for.
+bool WriteAll(const std::vector<Output>& outputs, const RenderResult& result, bool withLayers,
+              ProgressBar& bar, RenderSummary& summary) {
   bool allInPlace = true;
   const Timer timer;
   bar.Begin("writing", outputs.size());
   for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Picture& picture = outputs[i].denoised ? *result.denoised : result.picture;
     const Written written = WriteOrRescue(outputs[i], picture);
     bar.Interrupt([&] { PrintFaults(outputs[i], written); });
     if (!written.path.empty()) summary.files.push_back(written.path.string());
     allInPlace = allInPlace && written.faults.empty();
     bar.Update(i + 1, 0);
+    if (!withLayers) continue;
+    for (const LayerPicture& layer : LayerPictures(outputs[i], result.picture)) {
+      const Written shown = WriteOrRescue(layer.output, layer.picture);
+      bar.Interrupt([&] { PrintFaults(layer.output, shown); });
+      allInPlace = allInPlace && shown.faults.empty();
+    }
   }
   bar.End();
   summary.writeSeconds = timer.Seconds();
@@ -164,11 +172,13 @@ int RunRender(const RenderArguments& arguments) {
   // Write what there is
   for (Output& output : outputs) {
     output.options.exposure = arguments.exposure.value_or(scene.exposure());
+    output.options.view = arguments.view.value_or(scene.view());
     output.options.metadata = MetadataOf(arguments, result.report);
+    if (output.denoised) output.options.metadata.emplace_back("Denoiser", result.report.denoiser);
   }
   bool allInPlace = true;
   if (result.report.samplesPerPixel > 0)
-    allInPlace = WriteAll(outputs, result.picture, bar, summary);
+    allInPlace = WriteAll(outputs, result, arguments.aovs.has_value(), bar, summary);
   if (!result.report.filmFault.empty()) {
     PrintError(result.report.filmFault);
     allInPlace = false;

@@ -52,9 +52,10 @@ void AddEndOptions(CLI::App& command, FilmArguments& a) {
 }
 
 void AddFilmOptions(CLI::App& command, FilmArguments& a) {
-  AddFlag(command, "--resume", a.resume,
-          "Go on with the checkpoint of a render that was stopped, if there is one: the picture is "
-          "that of a render that never was");
+  AddFlag(
+      command, "--resume", a.resume,
+      "Go on with the checkpoint of a render that was stopped or killed, if there is one: to the "
+      "same picture, bit for bit");
   AddValue<std::string>(command, "--checkpoint", "FILE", ReadText, a.checkpoint,
                         "Where the checkpoint is saved (beside the first picture, .snell-film); it "
                         "is removed when the render is complete");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "cli/console.h"
@@ -13,6 +14,8 @@ namespace snell::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr float Nowhere = 1e10f;  // the depth of the background (docs/aovs.md)
 
 // A name in `folder` that no file has: "a.png", "a-1.png", …
 fs::path FreeName(const fs::path& folder, const fs::path& name) {
@@ -61,6 +64,39 @@ Written WriteOrRescue(const Output& output, const Picture& picture) {
   for (const fs::path& place : RescuePlaces(output.path))
     if (attempt(place)) break;
   return written;
+}
+
+std::vector<LayerPicture> LayerPictures(const Output& output, const Picture& picture) {
+  std::vector<LayerPicture> pictures;
+  if (output.denoised || LowerExtension(output.path) == "exr") return pictures;
+  for (const PictureLayer& layer : picture.layers) {
+    LayerPicture shown{output, {picture.width, picture.height, layer.values, {}, {}}};
+    std::vector<float>& values = shown.picture.rgb;
+    if (!layer.isColor) {
+      shown.output.options.view = "raw";
+      shown.output.options.exposure = 0;
+    }
+    if (layer.name == "normal") {
+      for (float& value : values) value = 0.5f * value + 0.5f;
+    } else if (layer.name == "depth") {
+      float nearest = Nowhere, farthest = 0;
+      for (const float depth : layer.values) {
+        if (depth >= Nowhere) continue;
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+      }
+      values.clear();
+      for (const float depth : layer.values) {
+        const float place = (depth - nearest) / std::max(farthest - nearest, 1e-20f);
+        values.insert(values.end(), 3, std::clamp(1 - place, 0.0f, 1.0f));
+      }
+    } else if (!layer.isColor) {
+      continue;
+    }
+    shown.output.path.replace_extension("." + layer.name + output.path.extension().string());
+    pictures.push_back(std::move(shown));
+  }
+  return pictures;
 }
 
 void PrintFaults(const Output& output, const Written& written) {

@@ -17,6 +17,7 @@ namespace snell::cli {
 struct Output {
   std::filesystem::path path;
   PictureOptions options;
+  bool denoised = false;  // the picture without noise
 };
 
 // Where a picture is, and what went wrong on the way.
@@ -28,6 +29,14 @@ struct Written {
 Written WriteOrRescue(const Output& output, const Picture& picture);
 // Print what went wrong with a file and what became of the picture, if anything did.
 void PrintFaults(const Output& output, const Written& written);
+
+// Pictures of the layers that can be shown, for formats that have no room for layers: "a.albedo.png" beside "a.png".
+// Normals from −1 to 1 and the depths that there are become black to white. None for an EXR.
+struct LayerPicture {
+  Output output;
+  Picture picture;
+};
+std::vector<LayerPicture> LayerPictures(const Output& output, const Picture& picture);
 
 // A text file, atomically; "-" is the standard output. Pipes and devices are written to as they are.
 void CheckTextWritable(const std::string& name);

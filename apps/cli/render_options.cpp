@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <sstream>
 
 #include "cli/values.h"
 #include "util/file.h"
@@ -19,6 +20,19 @@ namespace {
 constexpr int MaxSamples = std::numeric_limits<int>::max();
 constexpr int MaxThreads = 4096;
 constexpr float MaxStops = 100;
+
+// "albedo,normal".
+std::vector<std::string> ReadAovs(const std::string& text) {
+  const std::vector<std::string> known = KnownAovs();
+  std::vector<std::string> aovs;
+  std::istringstream list(text);
+  for (std::string name; std::getline(list, name, ',');) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw BadValue(fmt::format("must be some of {}", fmt::join(known, ", ")));
+    aovs.push_back(name);
+  }
+  return aovs;
+}
 
 }  // namespace
 
@@ -35,6 +49,19 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
       command, "--exposure", "STOPS", Number(-MaxStops, MaxStops), a.exposure,
       "PNG and JPEG: brighten by this many factors of two (the scene's, or 0); EXR and HDR stay "
       "linear");
+  AddChoice(command, "--view", "srgb|agx|neutral|aces|false-color|raw", a.view,
+            "PNG and JPEG: how light brighter than white is shown (the scene's, or \"srgb\")");
+  AddFlag(command, "--denoise", a.denoise,
+          "Write each picture a second time, without noise, with .denoised before its extension");
+  AddChoice(command, "--denoiser", "nfor|oidn", a.denoiser,
+            "The same by the built-in denoiser or by Open Image Denoise (the latter if it is "
+            "installed)");
+  AddValue<std::vector<std::string>>(
+      command, "--aov", "LIST", ReadAovs, a.aovs,
+      fmt::format(
+          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
+          "between them: {}",
+          fmt::join(KnownAovs(), ", ")));
 }
 
 namespace {
@@ -128,6 +155,11 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.camera = arguments.camera;
   options.crop = arguments.crop;
   options.samples = arguments.samples;
+  options.aovs = arguments.aovs;
+  if (arguments.denoiser)
+    options.denoiser = *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
+  else if (arguments.denoise)
+    options.denoiser = Denoiser::Automatic;
   options.seconds = arguments.film.seconds;
   options.noise = arguments.film.noise;
   options.exposure = arguments.exposure;
@@ -150,6 +182,13 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
     if (arguments.bits == "16" && LowerExtension(name) == "png") output.options.bits = 16;
     output.options.exrFloat = arguments.exrFloat;
     output.options.jpegQuality = arguments.quality.value_or(output.options.jpegQuality);
+    outputs.push_back(output);
+    if (!arguments.denoise && !arguments.denoiser) continue;
+    output.denoised = true;
+    output.path.replace_extension(".denoised" + output.path.extension().string());
+    if (!seen.insert(output.path.lexically_normal()).second)
+      throw UsageError("--output names '" + output.path.string() +
+                       "', where the denoised picture goes");
     outputs.push_back(std::move(output));
   }
 
@@ -164,6 +203,7 @@ std::vector<Output> OutputsOf(const RenderArguments& arguments) {
   };
   require(arguments.bits.has_value(), "--bits", {"png"});
   require(arguments.exrFloat, "--float", {"exr"});
+  require(arguments.view.has_value(), "--view", {"png", "jpg", "jpeg"});
   require(arguments.quality.has_value(), "--quality", {"jpg", "jpeg"});
   require(arguments.exposure.has_value(), "--exposure", {"png", "jpg", "jpeg"});
   return outputs;

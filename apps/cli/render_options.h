@@ -25,6 +25,10 @@ struct RenderArguments {
   bool exrFloat = false;
   std::optional<int> quality;
   std::optional<float> exposure;
+  std::optional<std::string> view;
+  std::optional<std::vector<std::string>> aovs;
+  bool denoise = false;
+  std::optional<std::string> denoiser;  // "nfor" or "oidn"; asks for denoising, too
 
   std::optional<std::pair<int, int>> size;  // 0: not given
   std::optional<std::array<int, 4>> crop;

@@ -39,10 +39,14 @@ std::string SummaryText(const RenderSummary& summary) {
   std::string text =
       fmt::format("{}: {} × {} pixels, {}; {}, {}\n", summary.scene, summary.width, summary.height,
                   SamplesPerPixel(r), r.device, Plural(std::uint64_t(r.threads), "thread"));
-  text += fmt::format("  time     load {}, prepare {}, build {}, render {}, write {}; {} in all\n",
-                      Duration(summary.loadSeconds), Duration(r.prepareSeconds),
-                      Duration(r.buildSeconds), Duration(r.renderSeconds),
-                      Duration(summary.writeSeconds), Duration(summary.totalSeconds));
+  const std::string denoise =
+      r.denoiser.empty() ? ""
+                         : fmt::format("denoise {} ({}), ", Duration(r.denoiseSeconds), r.denoiser);
+  text +=
+      fmt::format("  time     load {}, prepare {}, build {}, render {}, {}write {}; {} in all\n",
+                  Duration(summary.loadSeconds), Duration(r.prepareSeconds),
+                  Duration(r.buildSeconds), Duration(r.renderSeconds), denoise,
+                  Duration(summary.writeSeconds), Duration(summary.totalSeconds));
   text += fmt::format(
       "  rays     {} camera, {} reflected, {} refracted, {} shadow; {} in all, {:.2f} Mrays/s\n",
       WithCommas(r.cameraRays), WithCommas(r.reflectedRays), WithCommas(r.refractedRays),
@@ -89,6 +93,7 @@ std::string SummaryJson(const RenderSummary& summary) {
   json.Add("prepare", r.prepareSeconds);
   json.Add("build", r.buildSeconds);
   json.Add("render", r.renderSeconds);
+  if (!r.denoiser.empty()) json.Add("denoise", r.denoiseSeconds);
   json.Add("write", summary.writeSeconds);
   json.Add("total", summary.totalSeconds);
   json.End();

@@ -12,6 +12,13 @@ namespace snell {
 
 float Scene::exposure() const { return contents_->settings.exposure; }
 
+std::string Scene::view() const {
+  for (const auto& [name, view] : image::ViewNames()) {
+    if (view == contents_->settings.view) return name;
+  }
+  return "srgb";
+}
+
 std::vector<LoadLimit> KnownLoadLimits() {
   std::vector<LoadLimit> known;
   for (const io::LimitName& name : io::LimitNames())

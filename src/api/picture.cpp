@@ -2,6 +2,7 @@
 #include "api/picture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "image/compare.h"
 #include "image/read.h"
@@ -30,11 +31,20 @@ static Picture ToPicture(const image::Image& image) {
   return picture;
 }
 
+static image::View ViewNamed(const std::string& name) {
+  for (const auto& [known, view] : image::ViewNames()) {
+    if (known == name) return view;
+  }
+  throw Error(fmt::format("there is no view '{}'", name), {},
+              fmt::format("the views are: {}", fmt::join(KnownViews(), ", ")));
+}
+
 static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
   image::WriteOptions write;
   write.bits = options.bits;
   write.exrFloat = options.exrFloat;
   write.exposure = options.exposure;
+  write.view = ViewNamed(options.view);
   write.jpegQuality = options.jpegQuality;
   write.metadata = options.metadata;
   return write;
@@ -42,23 +52,40 @@ static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
 
 void WritePicture(const std::filesystem::path& path, const Picture& picture,
                   const PictureOptions& options) {
-  image::WriteImage(path, ToImage(picture), ToWriteOptions(options));
+  image::Layers layers;
+  layers.metadata = picture.layerMetadata;
+  for (const PictureLayer& layer : picture.layers)
+    layers.layers.push_back({layer.name, layer.channels, layer.isColor, layer.values});
+  image::WriteOptions write = ToWriteOptions(options);
+  write.layers = &layers;
+  image::WriteImage(path, ToImage(picture), write);
 }
 
 void CheckPictureWritable(const std::filesystem::path& path, const PictureOptions& options) {
   image::CheckWritable(path, ToWriteOptions(options));
 }
 
+std::vector<std::string> KnownViews() {
+  std::vector<std::string> names;
+  for (const auto& [name, view] : image::ViewNames()) names.push_back(name);
+  return names;
+}
+
 std::string KnownPictureExtensions() { return image::KnownWriteExtensions(); }
 
 Picture ReadPicture(const std::filesystem::path& path) { return ToPicture(image::ReadImage(path)); }
+
+PictureInfo InspectPicture(const std::filesystem::path& path) {
+  const image::ExrSummary summary = image::SummarizeExr(path);
+  return {summary.width, summary.height, summary.channels};
+}
 
 Picture CropPicture(const Picture& picture, const std::array<int, 4>& crop) {
   const auto [x0, y0, x1, y1] = crop;
   if (x0 < 0 || y0 < 0 || x1 > picture.width || y1 > picture.height || x0 >= x1 || y0 >= y1)
     throw Error(fmt::format("the crop {},{},{},{} is empty or outside the picture of {}×{} pixels",
                             x0, y0, x1, y1, picture.width, picture.height));
-  Picture part{x1 - x0, y1 - y0, {}};
+  Picture part{x1 - x0, y1 - y0, {}, {}, {}};
   for (int y = y0; y < y1; ++y) {
     const auto row = picture.rgb.begin() + 3 * (std::ptrdiff_t(y) * picture.width + x0);
     part.rgb.insert(part.rgb.end(), row, row + 3 * std::ptrdiff_t(part.width));

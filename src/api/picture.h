@@ -13,18 +13,29 @@
 
 namespace snell {
 
+// What a picture holds besides its colours: the channels X, Y and Z of "normal", say, interleaved as those are.
+struct PictureLayer {
+  std::string name;
+  std::vector<std::string> channels;
+  bool isColor = false;  // half floats suffice
+  std::vector<float> values;
+};
+
 // Linear Rec.709 radiance, three floats a pixel, rows from top to bottom.
 struct Picture {
   int width = 0;
   int height = 0;
   std::vector<float> rgb;
+  std::vector<PictureLayer> layers;  // EXR alone has room for them; they are not read
+  std::vector<std::pair<std::string, std::string>> layerMetadata;
 };
 
 // How to write a picture; the extension names the format.
 struct PictureOptions {
-  int bits = 8;           // PNG: 8 or 16
-  bool exrFloat = false;  // EXR: 32-bit float instead of half
-  float exposure = 0;     // stops, for PNG and JPEG; EXR and HDR stay linear
+  int bits = 8;               // PNG: 8 or 16
+  bool exrFloat = false;      // EXR: 32-bit float instead of half
+  float exposure = 0;         // stops, for PNG and JPEG; EXR and HDR stay linear
+  std::string view = "srgb";  // of the same (docs/views.md)
   int jpegQuality = 95;
   std::vector<std::pair<std::string, std::string>> metadata;
 };
@@ -38,9 +49,21 @@ SNELL_EXPORT void CheckPictureWritable(const std::filesystem::path& path,
 // "png, jpg, jpeg, hdr, exr", for messages.
 SNELL_EXPORT std::string KnownPictureExtensions();
 
+// The names of views, for messages.
+SNELL_EXPORT std::vector<std::string> KnownViews();
+
 // Read PNG, JPEG, EXR or HDR, by content. Throws Error.
 SNELL_EXPORT Picture ReadPicture(const std::filesystem::path& path);
 
+// What an EXR holds: its channels with their types, "half", "float" or "uint".
+struct PictureInfo {
+  int width = 0;
+  int height = 0;
+  std::vector<std::pair<std::string, std::string>> channels;
+};
+
+// Reads the header alone. Throws Error.
+SNELL_EXPORT PictureInfo InspectPicture(const std::filesystem::path& path);
 // The pixels [x0, x1) × [y0, y1) of a picture, from the top left. Throws Error if they are not within it.
 SNELL_EXPORT Picture CropPicture(const Picture& picture, const std::array<int, 4>& crop);
 

@@ -12,6 +12,7 @@
 #include "api/version.h"
 #include "cpu/render_cpu.h"
 #include "render/noise.h"
+#include "render/oidn.h"
 #include "scene/framing.h"
 #include "scene/settings.h"
 #include "scene/validate.h"
@@ -22,6 +23,14 @@
 namespace snell {
 
 namespace {
+
+scene::Aov AovNamed(const std::string& name) {
+  for (const auto& [known, aov] : scene::AovNames()) {
+    if (known == name) return aov;
+  }
+  throw Error(fmt::format("there is no AOV '{}'", name), {},
+              fmt::format("the AOVs are: {}", fmt::join(KnownAovs(), ", ")));
+}
 
 scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions& options) {
   scene::RenderSettings settings = scene.settings;
@@ -46,6 +55,11 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
                   "the integrators are: whitted, path");
     settings.integrator = isPath ? scene::Integrator::Path : scene::Integrator::Whitted;
   }
+  if (options.aovs) {
+    settings.aovs = {};
+    for (const std::string& name : *options.aovs) settings.aovs.Add(AovNamed(name));
+  }
+  settings.denoise = options.denoiser != Denoiser::None;
   scene::Resolve(scene, settings);
   scene::Validate(settings);
   return settings;
@@ -93,8 +107,8 @@ std::pair<std::uint32_t, std::uint32_t> SamplesOf(scene::RenderSettings& setting
 }
 
 // Refuse a picture that memory cannot hold before any is taken: the film, and copies for output.
-void CheckMemory(const render::PixelRect& rect) {
-  constexpr std::uint64_t BytesPerPixel = sizeof(render::Film::Pixel) + 12 + 12;
+void CheckMemory(const render::PixelRect& rect, std::uint64_t aovBytes) {
+  const std::uint64_t BytesPerPixel = sizeof(render::Film::Pixel) + 12 + 12 + aovBytes;
   const std::uint64_t pixels = std::uint64_t(rect.Width()) * std::uint64_t(rect.Height());
   const std::uint64_t available = AvailableMemoryBytes();
   if (available > 0 && pixels * BytesPerPixel > available)
@@ -102,6 +116,37 @@ void CheckMemory(const render::PixelRect& rect) {
         fmt::format("a picture of {}×{} pixels needs {} of memory; {} are available", rect.Width(),
                     rect.Height(), ByteSize(pixels * BytesPerPixel), ByteSize(available)),
         {}, "choose a smaller size, or render it in parts with a crop");
+}
+
+Picture ToPicture(const image::Image& image) {
+  Picture picture;
+  picture.width = image.width;
+  picture.height = image.height;
+  picture.rgb.reserve(image.pixels.size() * 3);
+  for (const kernel::vec3& pixel : image.pixels)
+    picture.rgb.insert(picture.rgb.end(), {pixel.x, pixel.y, pixel.z});
+  return picture;
+}
+
+void AddLayers(const render::AovFilm& aovs, Picture& picture) {
+  image::Layers layers = aovs.ToLayers();
+  for (image::Layer& layer : layers.layers)
+    picture.layers.push_back(
+        {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
+  picture.layerMetadata = std::move(layers.metadata);
+}
+
+// Add the picture without noise to the result.
+void Denoise(const render::AovFilm& aovs, Denoiser denoiser, RenderResult& result) {
+  const Timer timer;
+  const render::DenoiseInput input = aovs.ToDenoiseInput();
+  const bool byOidn =
+      denoiser == Denoiser::Oidn || (denoiser == Denoiser::Automatic && render::HasOidn());
+  const image::Image image =
+      byOidn ? render::DenoiseByOidn(input) : render::DenoiseByRegression(input);
+  result.denoised = ToPicture(image);
+  result.report.denoiser = byOidn ? "Open Image Denoise" : "nfor";
+  result.report.denoiseSeconds = timer.Seconds();
 }
 
 RenderEnd EndOf(render::End end) {
@@ -165,6 +210,12 @@ RenderReport ReportOf(const render::Statistics& statistics) {
 
 }  // namespace
 
+std::vector<std::string> KnownAovs() {
+  std::vector<std::string> names;
+  for (const auto& [name, aov] : scene::AovNames()) names.push_back(name);
+  return names;
+}
+
 RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* progress,
                     const StopFlag* stop) {
   const Timer timer;
@@ -178,10 +229,22 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   request.lastSample = lastSample;
 
   const ThreadLimit limit(options.threads);
-  CheckMemory(request.rect);
+  const std::vector<std::string> groups = scene::LightGroupsOf(contents);
+  const bool hasAovs = !request.settings.aovs.Empty() || request.settings.denoise;
+  CheckMemory(request.rect, hasAovs ? render::AovFilm::BytesPerPixel(request.settings.aovs, groups,
+                                                                     request.settings.denoise)
+                                    : 0);
   FilmKeeper keeper(options.film);
   render::Film film = keeper.Begin(request.rect, firstSample, request.settings);
   const double samplesBefore = SamplesPerPixel(film);
+  if (hasAovs && samplesBefore > 0)
+    throw Error("a render that goes on has no layers and cannot be denoised", {},
+                "checkpoints hold the picture alone; render anew, or without layers and denoising");
+  std::optional<render::AovFilm> aovs;
+  if (hasAovs) {
+    aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
+    request.aovs = &*aovs;
+  }
   film.origin().notes = {{"scene", contents.name},
                          {"exposure", fmt::format("{}", request.settings.exposure)},
                          {"spp", fmt::format("{}", request.settings.spp)}};
@@ -197,6 +260,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
 
   RenderResult result;
   result.picture = PictureOf(film);
+  if (aovs) AddLayers(*aovs, result.picture);
   result.report = ReportOf(statistics);
   result.report.samplesPerPixel = SamplesPerPixel(film);
   result.report.resumedSamples = samplesBefore;
@@ -205,6 +269,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   result.report.checkpointSaved = keeper.saved();
   result.report.filmFault = keeper.outputFault();
   for (const std::string& warning : keeper.warnings()) result.report.warnings.push_back(warning);
+  if (request.settings.denoise && statistics.samples > 0) Denoise(*aovs, options.denoiser, result);
   return result;
 }
 

@@ -25,6 +25,8 @@ struct FilmOptions {
   bool resume = false;           // go on with the checkpoint, if there is one
   std::filesystem::path output;  // saved at the end; empty: not
 };
+// How to take noise out of pictures: "nfor" is built in; "oidn" is Open Image Denoise, if its library is installed.
+enum class Denoiser { None, Automatic, Nfor, Oidn };
 
 // Overrides what the scene says; whatever is empty stays as the scene has it.
 struct RenderOptions {
@@ -39,7 +41,9 @@ struct RenderOptions {
   std::optional<std::array<int, 4>>
       crop;  // x0, y0, x1, y1 in pixels; the picture has just these pixels
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
-      samples;  // [first, last) instead of [0, spp)
+      samples;                                   // [first, last) instead of [0, spp)
+  std::optional<std::vector<std::string>> aovs;  // layers of the picture (docs/aovs.md), "all"
+  Denoiser denoiser = Denoiser::None;            // Automatic: Open Image Denoise, else nfor
   // The render ends at the first of these. With one of them and without `spp`, the scene's spp does not count.
   std::optional<double> seconds;  // since Render was called; each pixel gets a sample at least
   std::optional<float> noise;     // standard error of each pixel as it shows, 1 is white; above 0
@@ -47,6 +51,9 @@ struct RenderOptions {
   FilmOptions film;
   int threads = 0;  // 0: all processors
 };
+
+// The names of AOVs, for messages.
+SNELL_EXPORT std::vector<std::string> KnownAovs();
 
 // Why a render ended.
 enum class RenderEnd { Samples, Noise, Time, Stopped };
@@ -76,6 +83,8 @@ struct RenderReport {
   double prepareSeconds = 0;  // flattening the scene
   double buildSeconds = 0;    // the BVH
   double renderSeconds = 0;
+  double denoiseSeconds = 0;
+  std::string denoiser;  // that was used
   std::uint64_t sceneBytes = 0;
   std::uint64_t bvhBytes = 0;
   std::uint64_t filmBytes = 0;
@@ -87,6 +96,7 @@ struct RenderReport {
 
 struct RenderResult {
   Picture picture;
+  std::optional<Picture> denoised;  // if that was asked for
   RenderReport report;
 };
 

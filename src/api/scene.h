@@ -52,6 +52,7 @@ class SNELL_EXPORT Scene {
 
   // Of the pictures that the scene asks for: what PictureOptions wants.
   float exposure() const;
+  std::string view() const;
 
  private:
   std::shared_ptr<const scene::Scene> contents_;

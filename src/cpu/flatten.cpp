@@ -69,6 +69,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   flat.params.minContribution = settings.minContribution;
   flat.params.clampIndirect = settings.clampIndirect;
   flat.params.seed = settings.seed;
+  flat.params.aovs = settings.aovs.Empty() && !settings.denoise ? 0 : 1;
   flat.params.independentSamples = settings.sampler == scene::Sampler::Independent ? 1 : 0;
   flat.params.samplesLog2 = SamplesLog2(settings.spp);
   flat.params.lightSampling =
@@ -96,7 +97,12 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
     FlattenEmitters(flat);
     FlattenLightTree(flat);
   }
+  const Spectrum ambientOfLights = flat.params.ambient;
   FlattenEnvironment(scene.environment, flat);
+  const uint group =
+      scene::LightGroupIndex(scene::LightGroupsOf(scene), scene.environment.lightGroup);
+  flat.params.environment.group = group;
+  flat.params.ambientByGroup[group] += flat.params.ambient - ambientOfLights;
 
   // See what the objects ask of the integrator
   for (const Object& object : flat.objects) {

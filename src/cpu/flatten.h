@@ -38,6 +38,7 @@ struct FlatScene {
   std::vector<kernel::Emitter> emitters;  // of the path tracer, as the next; empty for others
   std::vector<float> albedos;
   std::vector<kernel::LightNode> lightNodes;
+  std::vector<std::uint32_t> surfaceLights;  // the scene's lights that the first objects are
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these

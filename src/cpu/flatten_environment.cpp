@@ -14,8 +14,10 @@ using namespace kernel;
 
 namespace {
 
-// A map is sampled if at least this share of its light is brighter than its mean.
+// A map is sampled if at least this share of its light is brighter than its mean, and if it is not so dark that the
+// density of a weight of 1 has no float.
 constexpr double LeastContrast = 0.01;
+constexpr double LeastWeight = 1e-25;
 
 // The kernel's view of the map.
 struct MapKernel {
@@ -120,7 +122,7 @@ void FlattenMap(Environment& environment, const Means& means, FlatScene& flat) {
   const double weight = AppendTables(flat.params, map, flat);
   const double texels = double(map.width) * map.height;
   const double sines = texels * 2 * std::numbers::inv_pi;  // the sum over all texels
-  if (weight <= LeastContrast * means.brightness * sines) {
+  if (weight <= LeastContrast * means.brightness * sines || weight < LeastWeight) {
     flat.texels.resize(environment.tables);
     return;
   }

@@ -294,8 +294,10 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
 
 void FlattenMaterials(const scene::Scene& scene, FlatScene& flat) {
   FlattenTextures(scene, flat);
+  const std::vector<std::string> groups = scene::LightGroupsOf(scene);
   for (const scene::Material& material : scene.materials) {
     flat.materials.push_back(FlattenMaterial(material, flat));
+    flat.materials.back().lightGroup = scene::LightGroupIndex(groups, material.lightGroup);
     // Boundaries that are not seen bend nothing
     if (material.volume) flat.materials.back().ior = scene.environment.ior;
   }
@@ -310,15 +312,19 @@ static bool IsFound(const scene::Light& light, scene::Integrator integrator, boo
 }
 
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
+  const std::vector<std::string> groups = scene::LightGroupsOf(scene);
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
+    const uint group = scene::LightGroupIndex(groups, light.group);
     const bool isSun = scene.environment.sun == int(&light - scene.lights.data());
     if (light.kind == scene::LightKind::Ambient) {
       flat.params.ambient += light.color * light.strength;
+      flat.params.ambientByGroup[group] += light.color * light.strength;
       continue;
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
+    flat.lights.back().group = group;
     flat.lights.back().found = IsFound(light, flat.integrator, isSun) ? 1 : 0;
 
     if (!light.visible || !HasSurface(light)) continue;
@@ -333,6 +339,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       flat.materials.push_back(black);
     }
     const uint object = uint(flat.objects.size());
+    flat.surfaceLights.push_back(std::uint32_t(&light - scene.lights.data()));
     flat.objects.push_back(
         {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0)), 0});
     AppendSurface(light, object, flat);

@@ -38,6 +38,7 @@ struct Kernel {
   const LightNode* lightNodes;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
+  AovSample* aovs = nullptr;          // its record
 
   Hit ClosestHit(const Ray& ray, float tMax, uint mask) {
     const bvh::Intersection found = bvh.Closest(ray, tMax, mask);
@@ -51,6 +52,7 @@ struct Kernel {
 #include "kernel/path_sample.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_environment.h"

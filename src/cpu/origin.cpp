@@ -27,11 +27,10 @@ render::Properties SamplesDependOn(const FlatScene& flat, const scene::RenderSet
   kernel::RenderParams others = flat.params;
   others.camera = {};
   others.coneWidth = others.coneSpread = 0;
-  others.maxDepth = others.seed = 0;
+  others.maxDepth = others.seed = others.aovs = 0;
   others.minContribution = others.clampIndirect = 0;
   kernel::Camera camera = flat.params.camera;
   camera.resolution = {0, 0};
-  const kernel::vec2 cone(flat.params.coneWidth, flat.params.coneSpread);
   const bool isPath = settings.integrator == scene::Integrator::Path;
   return {{"program", program},
           {"scene", "#" + scene.Text()},
@@ -42,8 +41,8 @@ render::Properties SamplesDependOn(const FlatScene& flat, const scene::RenderSet
           {"minimum contribution", fmt::format("{}", settings.minContribution)},
           {"limit of indirect light", fmt::format("{}", settings.clampIndirect)},
           {"seed", fmt::format("{}", settings.seed)},
-          // Only textures see how wide a pixel is
-          {"number of samples for textures (--spp)", flat.textures.empty() ? "any" : Sum(cone)},
+          // Textures are filtered for it
+          {"number of samples (--spp)", fmt::format("{}", settings.spp)},
           {"filter or other settings", Sum(others)}};
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "cpu/aov_names.h"
 #include "cpu/bind_kernel.h"
 #include "cpu/origin.h"
 #include "render/film_file.h"
@@ -88,9 +89,11 @@ Traced TracePath(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
 // Bring the tile's pixels to their goals, or as far as time allows.
 void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect tile,
                 const std::function<bool()>& interrupted, Replay& replay, render::Film& film,
-                WorkerCounts& counts) {
+                render::AovFilm* aovs, WorkerCounts& counts) {
   WhittedBranch branches[WhittedStackSize];
   kernel.branches = branches;
+  AovSample aov = {};
+  kernel.aovs = &aov;
   const auto trace = integrator == scene::Integrator::Path ? TracePath : TraceWhitted;
   for (int y = tile.y0; y < tile.y1 && !interrupted(); ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
@@ -109,8 +112,11 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
           ++counts.nonFiniteSamples;
           if (counts.nonFinite.size() < NonFiniteKept) counts.nonFinite.push_back({x, y, sample});
           L = Spectrum(0.0f);
+          aov.direct = L;
+          for (Spectrum& group : aov.groups) group = L;
         }
         film.Add(x, y, sample, L);
+        if (aovs) aovs->Add(x, y, sample, L, aov);
         counts.rays.Add(traced.rays);
         counts.droppedBranches += traced.dropped;
         if (kernel.params.clampIndirect > 0) {
@@ -198,12 +204,13 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   statistics.droppedPrimitives = bvh.droppedPrimitives();
   statistics.sceneBytes = flat.MemoryBytes();
   statistics.bvhBytes = bvh.MemoryBytes();
-  statistics.filmBytes = film.MemoryBytes();
+  statistics.filmBytes = film.MemoryBytes() + (request.aovs ? request.aovs->MemoryBytes() : 0);
   if (progress) progress->End();
 
   // Render pass by pass, tile by tile
   timer = {};
   const Kernel kernel = BindKernel(flat, bvh);
+  if (request.aovs) request.aovs->SetNames(AovNamesOf(scene, flat));
   const std::vector<render::PixelRect> tiles = render::TilesInOrder(request.rect, TileSize);
   const std::size_t workerCount = std::size_t(HardwareThreads());
   std::vector<WorkerCounts> workers(workerCount);
@@ -220,7 +227,8 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
         const std::uint64_t raysBefore = counts.rays.Sum();
         Replay replay{&scene, 0, 0, 0};
         const CheckContext context(Replay::Describe, &replay);
-        RenderTile(kernel, flat.integrator, tiles[i], interrupted, replay, film, counts);
+        RenderTile(kernel, flat.integrator, tiles[i], interrupted, replay, film, request.aovs,
+                   counts);
         meter.Add(counts.samples - samplesBefore, counts.rays.Sum() - raysBefore);
       });
       interruptions.SaveIfDue(film);

@@ -33,10 +33,10 @@ TEST(WavelengthTable, MakesWhiteInTheMean) {
     }
   }
   for (const double m : mean) EXPECT_NEAR(m, 1, 1e-6);
-  // The channels' means lie near 610, 550 and 465 nm: 1/λ² − 1/λ² of 587.6 nm
-  EXPECT_NEAR(spread[0], -0.2, 0.1);
-  EXPECT_NEAR(spread[1], 0.45, 0.1);
-  EXPECT_NEAR(spread[2], 1.8, 0.15);
+  // 1/λ² − 1/λ² of 587.6 nm: red is seen around 600 nm, green around 540, blue around 450
+  EXPECT_NEAR(spread[0], -0.1, 0.1);
+  EXPECT_NEAR(spread[1], 0.53, 0.1);
+  EXPECT_NEAR(spread[2], 2.04, 0.1);
 }
 
 }  // namespace

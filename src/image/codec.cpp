@@ -41,7 +41,7 @@ std::string Printable(std::string_view text) {
 }
 
 vec3 DisplayColor(const vec3& linear, const WriteOptions& options) {
-  return EncodeSrgb(Expose(FiniteOrZero(linear), options.exposure));
+  return ViewColor(options.view, Expose(FiniteOrZero(linear), options.exposure));
 }
 
 }  // namespace snell::image

@@ -48,7 +48,7 @@ std::string EncodeExr(const Image& image, const WriteOptions& options, const Pla
 std::string Printable(std::string_view text);
 
 // The colour of a pixel as an 8- or 16-bit sRGB file stores it, before rounding: without what is not
-// finite, exposed, encoded.
+// finite, exposed, seen through the view.
 vec3 DisplayColor(const vec3& linear, const WriteOptions& options);
 
 }  // namespace snell::image

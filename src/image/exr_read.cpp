@@ -280,11 +280,11 @@ Image Decode(const Source& source) {
   return Framed(std::move(data), header.dataWindow(), header.displayWindow());
 }
 
-}  // namespace
-
-Image DecodeExr(const Source& source) {
+// Run a function of the library; what it throws becomes an Error about the file.
+template <class Function>
+auto Guarded(const Source& source, Function function) {
   try {
-    return Decode(source);
+    return function();
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -292,6 +292,34 @@ Image DecodeExr(const Source& source) {
   } catch (const std::exception& fault) {
     throw source.Fault("the EXR cannot be decoded: " + Reason(fault));
   }
+}
+
+}  // namespace
+
+Image DecodeExr(const Source& source) {
+  return Guarded(source, [&] { return Decode(source); });
+}
+
+ExrSummary SummarizeExr(const std::filesystem::path& path) {
+  const std::string bytes = ReadFile(path);
+  Metadata ignored;
+  const Source source{bytes, path.string(), {}, &ignored};
+  return Guarded(source, [&] {
+    CheckExrHeaders(source);
+    MemoryStream stream(source);
+    const Imf::MultiPartInputFile file(stream, 0, false);
+    const Imf::Header& header = file.header(0);
+    const Box2i& window = header.displayWindow();
+    source.CheckSize(WidthOf(window), HeightOf(window));
+    ExrSummary summary{int(WidthOf(window)), int(HeightOf(window)), {}};
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+      const Imf::PixelType type = it.channel().type;
+      summary.channels.emplace_back(Printable(it.name()), type == Imf::HALF    ? "half"
+                                                          : type == Imf::FLOAT ? "float"
+                                                                               : "uint");
+    }
+    return summary;
+  });
 }
 
 }  // namespace snell::image

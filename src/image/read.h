@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "image/image.h"
 #include "util/file.h"
@@ -44,5 +46,16 @@ Image ReadImage(const std::filesystem::path& path, const ReadOptions& options = 
 // The same for bytes in memory; `name` is for messages.
 Image DecodeImage(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
                   Metadata* metadata = nullptr);
+
+// What an EXR holds, of its first part.
+struct ExrSummary {
+  int width = 0;
+  int height = 0;
+  std::vector<std::pair<std::string, std::string>>
+      channels;  // names and types: "half", "float", "uint"
+};
+
+// Reads the header alone. Throws Error.
+ExrSummary SummarizeExr(const std::filesystem::path& path);
 
 }  // namespace snell::image

@@ -13,15 +13,19 @@
 #include <string>
 
 #include "image/image.h"
+#include "image/layer.h"
+#include "image/view.h"
 
 namespace snell::image {
 
 struct WriteOptions {
-  int bits = 8;           // per channel of PNG: 8 or 16; JPEG has 8; EXR and HDR do not ask
-  bool exrFloat = false;  // EXR: 32-bit float instead of half
-  float exposure = 0;     // stops, for PNG and JPEG; EXR and HDR stay as they are
-  int jpegQuality = 95;   // 1 to 100; colour is stored at full resolution from 90 on
+  int bits = 8;            // per channel of PNG: 8 or 16; JPEG has 8; EXR and HDR do not ask
+  bool exrFloat = false;   // EXR: 32-bit float instead of half
+  float exposure = 0;      // stops, for PNG and JPEG; EXR and HDR stay as they are
+  View view = View::Srgb;  // of the same
+  int jpegQuality = 95;    // 1 to 100; colour is stored at full resolution from 90 on
   Metadata metadata = {};
+  const Layers* layers = nullptr;  // EXR: what it holds besides; others leave it out
 };
 
 // Write a picture. Values that are not finite become 0 in PNG and JPEG, and are clamped to what the

@@ -214,6 +214,11 @@ FN BaseSplit SplitAtBase(IN(Bsdf) b, float cosine) {
 
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
 FN bool IsSmoothCoat(IN(Bsdf) b) { return Max(b.coatAlpha.x, b.coatAlpha.y) < SmoothAlpha; }
+// Whether it only mirrors and refracts.
+FN bool IsPerfectlySmooth(IN(Bsdf) b) {
+  return b.pickDiffuse + b.pickDiffuseTransmission + b.pickSubsurface + b.pickFuzz <= 0.0f &&
+         IsSmoothBase(b) && (b.coat <= 0.0f || IsSmoothCoat(b));
+}
 
 // Whether EvalBsdf sees light from the other side.
 FN bool Transmits(IN(Bsdf) b) {

@@ -29,8 +29,11 @@ FN float LightNodeImportance(IN(LightNode) node, vec3 p, vec3 n) {
   vec3 toNode = node.center - p;
   float distance = Length(toNode);
   float nearest = Max(distance - node.radius, 0.0f);
-  // No closer than the sources lie together, nor than a nanometre
-  float d = Max(distance, Max(node.radius, 1e-9f));
+  // No closer than one source's size, nor than many lie on average: at the middle of a cube full of sources the mean of
+  // 1/d² is 6/r². Nor than a nanometre
+  bool isLeaf = (node.flags & LIGHT_NODE_LEAF) != 0u;
+  float closest = isLeaf ? node.radius : node.radius * 0.41f;
+  float d = Max(distance, Max(closest, 1e-9f));
   float importance = node.power.x + node.power.y / d + node.power.z / (d * d);
   importance *= RangeWindow(nearest, node.reach);
   if (distance <= node.radius || distance <= 0.0f) return importance;
@@ -44,8 +47,7 @@ FN float LightNodeImportance(IN(LightNode) node, vec3 p, vec3 n) {
   float cosW = -Dot(node.axis, wi);
   if ((node.flags & LIGHT_NODE_TWO_SIDED) != 0u) cosW = abs(cosW);
   // A single flat source is dark behind its plane
-  bool isFlat = node.cosThetaO == 1.0f && (node.flags & LIGHT_NODE_LEAF) != 0u;
-  if (isFlat && cosW <= 0.0f) return 0.0f;
+  if (isLeaf && node.cosThetaO == 1.0f && cosW <= 0.0f) return 0.0f;
   float sinW = SafeSqrt(1.0f - cosW * cosW);
   float sinO = SafeSqrt(1.0f - node.cosThetaO * node.cosThetaO);
   float cosX = CosOfDifference(sinW, cosW, sinO, node.cosThetaO);

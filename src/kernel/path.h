@@ -25,6 +25,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   if (HasLens(params.camera)) lens = PathSample2D(s);
   CameraRay start = GenerateRay(params.camera, place, lens);
   s.ray = start.ray;
+  AovBegin(s.ray);
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.L = Spectrum(0.0f, 0.0f, 0.0f);
   s.held = 0.0f;
@@ -45,19 +46,26 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.rays.camera = s.alive;
 }
 
-// What a ray sees that leaves the scene.
-SCENE_FN Spectrum UnboundedLe(IN(PathState) s, vec3 d, bool fromCamera) {
-  if (fromCamera && params.environment.visible == 0u) return Spectrum(0.0f, 0.0f, 0.0f);
+// Add what a ray sees that leaves the scene.
+SCENE_FN void PathAddUnbounded(INOUT(PathState) s, vec3 d, bool fromCamera) {
+  if (fromCamera && params.environment.visible == 0u) return;
+  uint vertices = PathVertices(s) - 1u;
   float pdf;
   Spectrum Le = EnvironmentLe(d, pdf);
+  AovPathFeatures(s.beta * s.etaScale, Le, vec3(0.0f, 0.0f, 0.0f));
   if (s.bsdfPdf > 0.0f) Le = Le * (s.bsdfPdf / (s.bsdfPdf + EnvironmentShare() * pdf));
+  PathAdd(s, s.beta * Le, params.environment.group, vertices);
   for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun) {
     Spectrum disc = SunLe(lights[sun], d);
-    if (!IsBlack(disc)) Le += disc * FoundWeight(s, sun, d, Infinite);
+    if (!IsBlack(disc))
+      PathAdd(s, s.beta * disc * FoundWeight(s, sun, d, Infinite), lights[sun].group, vertices);
   }
   // Ambient lights light surfaces but are not seen
-  if (!fromCamera) Le += params.ambient;
-  return Le;
+  if (!fromCamera && !IsBlack(params.ambient)) {
+    Spectrum ambient = s.beta * params.ambient;
+    Spectrum kept = PathKeep(s, ambient, vertices);
+    AovAmbient(s.beta * (MaxChannel(kept) / Max(MaxChannel(ambient), 1e-30f)), vertices);
+  }
 }
 
 // Gather the light of one source at a surface, then choose the way on.
@@ -65,7 +73,7 @@ SCENE_FN void PathGoOn(INOUT(PathState) s, IN(PathVertex) v) {
   bool walks = s.walk != None;
   if (!walks) {
     Spectrum sampled = SampledLight(s, v);
-    PathAdd(s, s.beta * sampled, PathVertices(s));
+    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s));
   }
   vec2 lobe = PathSample2D(s);
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe.x, PathSample2D(s));
@@ -137,7 +145,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (hit.primitive == None) {
     // Bodies that are not closed let the path out to nowhere
     if (!PathGetsThrough(s, s.media, Infinite) || s.walk != None) return;
-    PathAdd(s, s.beta * UnboundedLe(s, ray.d, fromCamera), PathVertices(s) - 1u);
+    PathAddUnbounded(s, ray.d, fromCamera);
     return;
   }
   SurfaceInteraction it = SurfaceAt(hit, ray);
@@ -174,12 +182,14 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
 
   // The surface of an area light shines from its front
   if (object.light != None) {
+    AovSurface(it);
     if (Dot(it.n, wo) <= 0.0f) return;
     LET(Light) light = lights[object.light];
+    AovPathFeatures(s.beta * s.etaScale, light.emission, n);
     PathAdd(
         s,
         s.beta * light.emission * FoundWeight(s, object.light, ray.d, Length(it.p - s.lastPoint)),
-        PathVertices(s) - 1u);
+        light.group, PathVertices(s) - 1u);
     return;
   }
 
@@ -206,6 +216,7 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     }
     eta = MediumIor(behind, s.wavelength) / nearIor;
   }
+  AovSurface(it);
   Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
     float weight = 1.0f;
@@ -216,9 +227,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
         pdf *= PdfEmitter(emitter, it, s.lastPoint, ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
-    PathAdd(s, s.beta * Le * weight, PathVertices(s) - 1u);
+    PathAdd(s, s.beta * Le * weight, material.lightGroup, PathVertices(s) - 1u);
   }
-  if (s.depth >= params.maxDepth || material.closure == None) return;
+  bool deepest = s.depth >= params.maxDepth;
+  if (material.closure == None || (deepest && params.aovs == 0u)) return;
 
   // Set up the surface's scattering in the frame of its shading normal
   vec3 coatNormal = CoatNormal(material, shown, it, n, wo);
@@ -246,6 +258,11 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
     v.bsdf = WithoutSubsurface(v.bsdf);
   v.object = it.object;
+  if (params.aovs == 1u && (deepest || !IsPerfectlySmooth(v.bsdf)))
+    AovPathFeatures(s.beta * s.etaScale,
+                    AlbedoOfPhysical(physicals[material.closure], shown, it.color) + Le,
+                    FaceForward(it.ns, n));
+  if (deepest) return;
   s.coneWidth = coneWidth;
 
   PathGoOn(s, v);

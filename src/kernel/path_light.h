@@ -11,8 +11,9 @@
 SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
 
 // Add light to the pixel that was scattered at so many vertices on its way. Indirect light, from two of them on, is held
-// to a limit if there is one: fireflies are found rarely and weigh much; without them the picture is darker.
-SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint vertices) {
+// to a limit if there is one: fireflies are found rarely and weigh much; without them the picture is darker. Returns what
+// was added.
+SCENE_FN Spectrum PathKeep(INOUT(PathState) s, Spectrum L, uint vertices) {
   float most = MaxChannel(L);
   Spectrum kept = L;
   if (params.clampIndirect > 0.0f && vertices > 1u && most > params.clampIndirect) {
@@ -21,6 +22,12 @@ SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint vertices) {
     s.held += (rest.x + rest.y + rest.z) * (1.0f / 3.0f);
   }
   s.L += kept;
+  return kept;
+}
+
+// The same of a source of a light group.
+SCENE_FN void PathAdd(INOUT(PathState) s, Spectrum L, uint group, uint vertices) {
+  AovLight(PathKeep(s, L, vertices), group, vertices);
 }
 
 // The directional lights' importances, added up, and one of them chosen in proportion by u.
@@ -120,6 +127,7 @@ SCENE_FN Spectrum SampledEmitter(INOUT(PathState) s, IN(PathVertex) v, vec3 from
   // What it sends this way from there
   LET(Material) material = materials[objects[source.object].material];
   if (material.singleSided == 1u && Dot(source.n, ray.d) > 0.0f) return none;
+  aovs[0].group = material.lightGroup;
   source.footprint = params.coneSpread * source.t;
   RoleTexels shown = TexelsAt(material, source);
   Spectrum Le =
@@ -145,6 +153,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   if (choice.x < environment) {
     li = SampleEnvironmentLi(u, lightPdf);
     pick = environment;
+    aovs[0].group = params.environment.group;
   } else {
     choice.x = Min((choice.x - environment) / (1.0f - environment), 0.99999994f);
     uint source = ChooseSource(from, VertexFacing(v), choice, pick);
@@ -152,6 +161,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
     if (source >= params.lightCount)
       return SampledEmitter(s, v, from, emitters[source - params.lightCount], pick, u);
     LET(Light) light = lights[source];
+    aovs[0].group = light.group;
     li = SampleLi(light, from, u);
     // Rays that start inside a light's sphere do not meet it
     bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;

@@ -36,8 +36,10 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(Medium) medium, IN(MediumStack)
   PathVertex v = VertexInMedium(s.ray, distance, medium.anisotropy, media);
   // Below a surface no light is sampled: it comes in where the path gets out
   if (!walks) {
+    AovMedium(v.p, CurrentMedium(media));
+    AovPathFeatures(s.beta * s.etaScale, Spectrum(1.0f, 1.0f, 1.0f), vec3(0.0f, 0.0f, 0.0f));
     Spectrum sampled = SampledLight(s, v);
-    PathAdd(s, s.beta * sampled, PathVertices(s) - 1u);
+    PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s) - 1u);
   }
 
   s.ray.o = v.p;
@@ -67,7 +69,7 @@ SCENE_FN bool PathGetsThroughGrid(INOUT(PathState) s, IN(Medium) medium, uint ob
     if (!NextCollision(s, grid, g, sigma, t, greatest, chance)) return true;
     float share = GridDensity(grid, g.o + g.d * t) / greatest;
     if (!IsBlack(medium.emission))
-      PathAdd(s, s.beta * medium.emission * share, PathVertices(s) - 1u);
+      PathAdd(s, s.beta * medium.emission * share, 0u, PathVertices(s) - 1u);
     Spectrum scattered = s.beta * medium.scattering * share;
     Spectrum passed = s.beta - s.beta * medium.extinction * share;
     passed = Spectrum(Max(passed.x, 0.0f), Max(passed.y, 0.0f), Max(passed.z, 0.0f));
@@ -97,7 +99,7 @@ SCENE_FN bool PathGetsThrough(INOUT(PathState) s, IN(MediumStack) media, float d
   if (medium.grid != None) return PathGetsThroughGrid(s, medium, object, media, distance);
   float reach = Min(distance, LongestFlight);
   if (!IsBlack(medium.emission))
-    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach),
+    PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach), 0u,
             PathVertices(s) - 1u);
   if (IsBlack(medium.extinction)) return true;
   if (IsBlack(medium.scattering)) {

@@ -20,7 +20,7 @@ struct PathState {
   uint alive;        // 1: it is to be traced
   Spectrum beta;     // what its radiance counts in the pixel
   Spectrum L;        // radiance gathered so far
-  float held;        // mean of the channels of the radiance that was held back (PathAdd)
+  float held;        // mean of the channels of the radiance that was held back (PathKeep)
   float etaScale;    // η² of the refractions so far, which Russian roulette does not see
   uint monochrome;   // 1: the path has one wavelength
   float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all

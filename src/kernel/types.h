@@ -271,6 +271,7 @@ CONST uint ALPHA_MASK = 1u;   // there or not
 CONST uint ALPHA_BLEND = 2u;  // by parts
 
 struct Material {
+  uint lightGroup;  // of its emission
   uint firstTerm;
   uint termCount;
   uint reflection;
@@ -311,8 +312,12 @@ CONST uint FALLOFF_NONE = 0u;
 CONST uint FALLOFF_LINEAR = 1u;
 CONST uint FALLOFF_INVERSE_SQUARE = 2u;
 
+// Groups of sources whose light is told apart (aov.h); 0 is of all that are in none.
+CONST uint MaxLightGroups = 16u;
+
 struct Light {
   uint kind;
+  uint group;  // its light group
   uint falloff;
   uint samples;       // shadow rays per camera sample
   Spectrum emission;  // W/sr (point, spot), W/m² (directional) or W/(sr·m²) (areas)
@@ -368,6 +373,7 @@ struct Environment {
   float sinBottom;
   float sinTop;
   float ior;       // of the space around the scene
+  uint group;      // its light group
   uint visible;    // 1: rays from the camera see it
   uint map;        // a picture of all directions (environment.h), or None
   Spectrum scale;  // radiance of the map's 1, W/(sr·m²)
@@ -415,6 +421,8 @@ struct RenderParams {
   Camera camera;
   Environment environment;
   Spectrum ambient;  // sum of the ambient lights, W/(sr·m²)
+  Spectrum ambientByGroup[MaxLightGroups];
+  uint aovs;  // 1: samples tell more than their radiance (aov.h)
   uint lightCount;
   uint lightNodeCount;    // 0: there is no light tree
   uint firstDirectional;  // the first directional light, or None

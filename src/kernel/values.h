@@ -6,6 +6,7 @@
 #define SNELL_KERNEL_VALUES_H
 
 #include "kernel/albedo.h"
+#include "kernel/aov.h"
 #include "kernel/bsdf.h"
 #include "kernel/camera.h"
 #include "kernel/classic.h"

@@ -33,6 +33,9 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   s.branch.ray = start.ray;
   s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.branch.depth = 1u;
+  s.branch.scatterings = 0u;
+  s.branch.described = 0u;
+  AovBegin(s.branch.ray);
   s.branch.coneWidth = params.coneWidth;
   s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
   s.alive = start.weight > 0.0f ? 1u : 0u;
@@ -80,19 +83,25 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
   Spectrum termColors[8];
   Spectrum L = Spectrum(0.0f, 0.0f, 0.0f);
   bool isPhysical = material.physical != None;
-  bool lit = isPhysical;
-  if (isPhysical) L = PhysicalAmbient(point, Max(Dot(ns, wo), 0.0f)) * params.ambient;
+  bool isLit = isPhysical;
+  uint scatterings = s.branch.scatterings + 1u;
+  if (isPhysical) {
+    Spectrum ambient = PhysicalAmbient(point, Max(Dot(ns, wo), 0.0f));
+    L = ambient * params.ambient;
+    AovAmbient(s.branch.weight * ambient, scatterings);
+  }
   for (uint i = 0u; i < material.termCount; ++i) {
     LET(Term) term = terms[material.firstTerm + i];
     Spectrum color = TermColor(term, it, shares);
     if (i < CachedTerms) termColors[i] = color;
     if (term.kind == TERM_AMBIENT) {
       L += color * params.ambient;
+      AovAmbient(s.branch.weight * color, scatterings);
     } else if (!IsBlack(color)) {
-      lit = true;
+      isLit = true;
     }
   }
-  if (!lit) return L;
+  if (!isLit) return L;
 
   for (uint lightIndex = 0u; lightIndex < params.lightCount; ++lightIndex) {
     LET(Light) light = lights[lightIndex];
@@ -125,7 +134,9 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
       s.rays.shadow += 1u;
       sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media);
     }
-    L += sum * (1.0f / float(sampleCount));
+    Spectrum lit = sum * (1.0f / float(sampleCount));
+    L += lit;
+    AovLight(s.branch.weight * lit, light.group, scatterings);
   }
   return L;
 }
@@ -153,7 +164,12 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   Ray ray = branch.ray;
   Hit hit = ClosestHit(ray, Infinite, branch.depth == 1u ? MASK_CAMERA : MASK_SECONDARY);
   if (hit.primitive == None) {
-    s.L += branch.weight * BackgroundLe(ray.d, branch.depth == 1u);
+    bool fromCamera = branch.depth == 1u;
+    Spectrum background = branch.weight * BackgroundLe(ray.d, fromCamera);
+    s.L += background;
+    AovBackground(branch.weight, ray.d, fromCamera, branch.scatterings);
+    if (params.aovs == 1u && branch.described == 0u)
+      AovFeatures(background, vec3(0.0f, 0.0f, 0.0f));
     WhittedNext(s);
     return;
   }
@@ -196,7 +212,14 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
 
   // The surface of an area light shines from its front
   if (object.light != None) {
-    if (Dot(it.n, wo) > 0.0f) s.L += branch.weight * lights[object.light].emission;
+    AovSurface(it);
+    if (Dot(it.n, wo) > 0.0f) {
+      LET(Light) light = lights[object.light];
+      Spectrum shining = branch.weight * light.emission;
+      s.L += AovLight(shining, light.group, branch.scatterings);
+      if (params.aovs == 1u && branch.described == 0u)
+        AovFeatures(shining, ns * MeanChannel(branch.weight));
+    }
     WhittedNext(s);
     return;
   }
@@ -241,20 +264,26 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   }
 
   // Add the light of the surface itself
+  bool deeper = branch.depth < params.maxDepth;
+  Spectrum emission = material.emission * ShownColor(shown, ROLE_EMISSION);
+  AovSurface(it);
+  AovLight(branch.weight * emission, material.lightGroup, branch.scatterings);
+  if (params.aovs == 1u && branch.described == 0u &&
+      WhittedFeatures(it, material, shown, point, shares, branch.weight, emission, ns, deeper))
+    branch.described = 1u;
   s.branch.weight = branch.weight;
-  s.L +=
-      branch.weight * (material.emission * ShownColor(shown, ROLE_EMISSION) +
-                       TermsLo(s, it, hit, material, point, shares, wo, n, meshNormal, ns, media));
+  s.L += branch.weight *
+         (emission + TermsLo(s, it, hit, material, point, shares, wo, n, meshNormal, ns, media));
 
   // Follow the lesser branch, let the greater wait
   Spectrum reflectedWeight = branch.weight * shares.reflection;
   Spectrum refractedWeight = branch.weight * shares.refraction;
-  bool deeper = branch.depth < params.maxDepth;
   float least = Max(params.minContribution, LeastWeight);
   bool reflects = deeper && MaxChannel(reflectedWeight) >= least;
   bool refracts = deeper && MaxChannel(refractedWeight) >= least;
   WhittedBranch reflected = branch;
   reflected.depth = branch.depth + 1u;
+  reflected.scatterings = branch.scatterings + 1u;
   reflected.coneWidth = coneWidth;
   WhittedBranch refracted = reflected;
   if (reflects) {

@@ -14,8 +14,10 @@ KERNEL_BEGIN
 // A ray of the tree that has not been traced yet.
 struct WhittedBranch {
   Ray ray;
-  Spectrum weight;  // what its radiance counts in the pixel
-  uint depth;       // 1 for rays from the camera
+  Spectrum weight;   // what its radiance counts in the pixel
+  uint depth;        // 1 for rays from the camera
+  uint scatterings;  // reflections and refractions so far
+  uint described;    // 1: the denoiser has been told what is there (aov.h)
   float
       coneWidth;  // diameter at the origin of what the ray stands for (Akenine-Möller et al. 2021), metres
   MediumStack media;

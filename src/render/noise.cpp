@@ -9,6 +9,7 @@ namespace snell::render {
 namespace {
 
 constexpr int GainRadius = 4;
+constexpr int SmoothRadius = 1;
 constexpr double SmallestGain = 1.0 / 16;
 
 // out[p] = the fold of in[q] over q within `radius` of p along rows (stride 1) or columns.
@@ -69,7 +70,8 @@ std::vector<float> DisplayErrors(const Film& film, double scale) {
   found = FoldSquare(found, rect.Width(), GainRadius, add);
   independent = FoldSquare(independent, rect.Width(), GainRadius, add);
 
-  std::vector<float> errors(count);
+  // How the standard error shows, to both sides of the mean
+  std::vector<double> squares(count), ones(count, 1.0);
   for (std::size_t i = 0; i < count; ++i) {
     const double variance = film.SampleVariance(x(i), y(i));
     if (!(variance > 0)) continue;
@@ -77,8 +79,16 @@ std::vector<float> DisplayErrors(const Film& film, double scale) {
         independent[i] > 0 ? std::max(found[i] / independent[i], SmallestGain) : 1.0;
     const double error = std::sqrt(gain * variance / film.pixels()[i].count);
     const double mean = Film::Brightness(film.Mean(x(i), y(i)));
-    errors[i] = float(DisplayValue(mean + error, scale) - DisplayValue(mean, scale));
+    const double shown = DisplayValue(mean + error, scale) - DisplayValue(mean - error, scale);
+    squares[i] = shown * shown / 4;
   }
+
+  // Neighbours have a say: what looks better than it is by chance rests less often
+  const std::vector<double> sums = FoldSquare(squares, rect.Width(), SmoothRadius, add);
+  const std::vector<double> sizes = FoldSquare(ones, rect.Width(), SmoothRadius, add);
+  std::vector<float> errors(count);
+  for (std::size_t i = 0; i < count; ++i)
+    errors[i] = float(std::sqrt((squares[i] + sums[i] / sizes[i]) / 2));
   return errors;
 }
 

@@ -18,7 +18,8 @@ namespace snell::render {
 // exposure's factor.
 double DisplayValue(double radiance, double scale);
 
-// Per pixel, rows from top to bottom: DisplayValue's standard error; 0 for less than two samples.
+// Per pixel, rows from top to bottom: DisplayValue's standard error, its square half the pixel's own and half the mean
+// of 3 × 3. Pixels with less than two samples count as 0.
 std::vector<float> DisplayErrors(const Film& film, double scale);
 
 // The largest value within `radius` pixels to each side, rows and columns.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "render/aov_film.h"
 #include "render/film.h"
 #include "render/schedule.h"
 #include "render/statistics.h"
@@ -20,6 +21,7 @@ struct RenderRequest {
   scene::Camera camera;
   PixelRect rect;                // pixels to render; within the picture
   std::uint32_t lastSample = 0;  // one past the last; the film says which is the first
+  AovFilm* aovs = nullptr;       // receives what settings.aovs asks for, of the same pixels
   StopConditions stop = {};
   SavePlan save = {};
   // Compare what samples depend on with what the film says, or enter it there if that says nothing

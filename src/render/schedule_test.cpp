@@ -77,7 +77,7 @@ TEST(PlanPass, LetsPixelsRestThatHaveReachedTheNoise) {
   }
   EXPECT_EQ(plan.resting, 400u);
   EXPECT_EQ(film.SampleCount(0, 0), LeastSamplesForNoise);
-  EXPECT_EQ(film.SampleCount(17, 5), LeastSamplesForNoise);
+  EXPECT_EQ(film.SampleCount(16, 5), LeastSamplesForNoise);
   EXPECT_GT(film.SampleCount(18, 5), LeastSamplesForNoise) << "noise is near";
   // The error of √x is σ/(2√x); here σ² = mean²/3 per sample
   const double expected = std::pow(0.5 / std::sqrt(3.0) / (2 * std::sqrt(0.5)) / 0.01, 2);

@@ -46,7 +46,7 @@ struct Statistics {
   std::uint64_t samples = 0;
   std::uint64_t nonFiniteSamples = 0;
   std::vector<NonFiniteSample> nonFinite;  // the first few of them
-  double heldBack = 0;          // of all light: the share that clampIndirect has removed
+  double heldBack = 0;                     // of all light: the share that clampIndirect has removed
   std::uint64_t droppedBranches = 0;       // of ray trees too wide for the integrator's stack
   std::uint64_t droppedPrimitives = 0;     // with coordinates that are not finite
 

@@ -212,6 +212,7 @@ struct Material {
   std::optional<Medium> volume;  // a boundary that is not seen, around this
 
   // Of both kinds
+  std::string lightGroup;  // of what it emits, as Light::group
   ReliefMap normalMap;
   ReliefMap bumpMap;
   Displacement displacement;

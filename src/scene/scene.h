@@ -12,7 +12,9 @@
 #include <variant>
 #include <vector>
 
+#include "image/view.h"
 #include "kernel/types.h"
+#include "scene/aov.h"
 #include "scene/grid.h"
 #include "scene/material.h"
 #include "util/error.h"
@@ -32,6 +34,7 @@ enum class Falloff { None, Linear, InverseSquare };
 struct Light {
   std::string name;
   LightKind kind = LightKind::Point;
+  std::string group;  // of sources whose light a picture tells apart; "": none
   Spectrum color{1.0f};
   // W/sr (point, spot), W/m² facing the light (directional), W/(sr·m²) (ambient and areas)
   float strength = 1;
@@ -200,13 +203,14 @@ struct Environment {
   float bottomElevation = -1.5707963f;  // radians; the colour is `bottom` below and `top` above
   float topElevation = 1.5707963f;
   float ior = 1;
-  ImageIndex map = -1;      // of all directions (kernel/environment.h), in place of the colours
-  Spectrum mapScale{1.0f};  // W/(sr·m²) of its 1
-  float rotation = 0;       // of the map: radians about +y, counter-clockwise from above
-  int sun = -1;             // the light that is the sun of a sky; -1: none
-  bool visible = true;      // to the camera; mirrors show it in any case
-  bool ambient = false;     // its mean is ambient light to the classic integrator
-  Medium medium = {};       // around all objects
+  ImageIndex map = -1;          // of all directions (kernel/environment.h), in place of the colours
+  Spectrum mapScale{1.0f};      // W/(sr·m²) of its 1
+  float rotation = 0;           // of the map: radians about +y, counter-clockwise from above
+  int sun = -1;                 // the light that is the sun of a sky; -1: none
+  bool visible = true;          // to the camera; mirrors show it in any case
+  bool ambient = false;         // its mean is ambient light to the classic integrator
+  Medium medium = {};           // around all objects
+  std::string lightGroup = {};  // as Light::group
 };
 
 enum class Integrator { Whitted, Path };
@@ -229,11 +233,14 @@ struct RenderSettings {
   float clampIndirect =
       0;  // path: the most that one find of indirect light adds, W/(sr·m²); 0: any
   PixelFilter filter = PixelFilter::BlackmanHarris;
-  float filterRadius = 0;  // pixels; 0: the filter's usual one
-  float exposure = 0;      // stops, for pictures that are not linear
+  float filterRadius = 0;                // pixels; 0: the filter's usual one
+  float exposure = 0;                    // stops, for pictures that are not linear
+  image::View view = image::View::Srgb;  // of the same
+  bool denoise = false;                  // keep what a denoiser wants to know
   bool tintedShadows = true;
   LightSampling lightSampling = LightSampling::Tree;
   std::uint32_t seed = 0;
+  AovSet aovs;
 };
 
 struct Scene {

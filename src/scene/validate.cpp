@@ -49,12 +49,22 @@ class Checker {
             "the surroundings' index of refraction must be positive");
     CheckMedium(scene_.environment.medium, "the surroundings' medium");
     for (const Light& light : scene_.lights) CheckLight(light);
+    CheckLightGroups(LightGroupsOf(scene_));
     for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
     for (const Material& material : scene_.materials) CheckMaterial(material);
     for (const Mesh& mesh : scene_.meshes) CheckMesh(mesh);
     for (const Object& object : scene_.objects) CheckObject(object);
     ThrowFindings();
+  }
+
+  void CheckLightGroups(const std::vector<std::string>& groups) {
+    Require(groups.size() <= kernel::MaxLightGroups,
+            fmt::format("the scene names {} light groups; there may be {} at most",
+                        groups.size() - 1, kernel::MaxLightGroups - 1));
+    for (const std::string& name : groups)
+      Require(name.empty() || IsLightGroupName(name),
+              fmt::format("'{}' cannot be the name of a light group", name));
   }
 
   void CheckSettings(const RenderSettings& s) {

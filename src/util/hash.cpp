@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint64_t Multiplier = 0x9e3779b97f4a7c15u;
 
 std::uint64_t Mix(std::uint64_t lane, std::uint64_t word) {
-  return (std::rotl(lane, 29) ^ word) * Multiplier;
+  const std::uint64_t product = (std::rotl(lane, 29) ^ word) * Multiplier;
+  // Without this, changes of the highest bits stay where they are and can meet others
+  return product ^ (product >> 32);
 }
 
 }  // namespace
@@ -51,10 +53,7 @@ std::uint64_t Hasher::Value() const {
   std::fill(last.rest_.begin() + std::ptrdiff_t(last.restSize_), last.rest_.end(), 0);
   last.AddBlock(last.rest_.data());
   std::uint64_t value = size_;
-  for (const std::uint64_t lane : last.lanes_) {
-    value = Mix(value, lane);
-    value ^= value >> 32;
-  }
+  for (const std::uint64_t lane : last.lanes_) value = Mix(value, lane);
   return value;
 }
 

@@ -2,7 +2,7 @@
 //
 // A checksum of 64 bits over a stream of bytes, for telling inputs apart and noticing damage; not against those who
 // mean harm. Four lanes of multiplications take the words in turns, several GB/s. Every step can be undone, so a
-// change of one word always changes the sum.
+// change within one word always changes the sum.
 #pragma once
 
 #include <array>

@@ -66,6 +66,7 @@ struct BruteForceKernel {
   const float* albedos;
   const LightNode* lightNodes;
   WhittedBranch branches[WhittedStackSize];
+  AovSample aovs[1];
 
 #include "gpu/shaders/brute_force.glsl"
 #include "kernel/path.h"
@@ -74,6 +75,7 @@ struct BruteForceKernel {
 #include "kernel/path_sample.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_environment.h"
@@ -143,6 +145,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
                           scene.emitters.data(),
                           scene.albedos.data(),
                           scene.lightNodes.data(),
+                          {},
                           {}};
   const uvec2 resolution = scene.params.camera.resolution;
   BruteForceSample result;
@@ -150,6 +153,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
     for (uint x = 0; x < resolution.x; ++x) {
       loopsOfPixel = 0;
       result.radiance.push_back(kernel.Radiance(scene.integrator, uvec2(x, y), sample));
+      if (scene.params.aovs == 1) result.aovs.push_back(kernel.aovs[0]);
       result.loops.push_back(loopsOfPixel);
     }
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cpu/flatten.h"
+#include "kernel/aov.h"
 
 namespace snell::agree {
 
@@ -25,6 +26,7 @@ PrimitiveCounts CountsOf(const cpu::FlatScene& scene);
 // One sample of every pixel, row by row from the top.
 struct BruteForceSample {
   std::vector<kernel::Spectrum> radiance;
+  std::vector<kernel::AovSample> aovs;  // if the scene asks for them
   std::vector<std::uint32_t>
       loops;  // passes through the bodies of all loops, the kernel's and the search's
 };

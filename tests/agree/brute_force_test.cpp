@@ -31,6 +31,7 @@ class BruteForce : public testing::TestWithParam<std::tuple<scene::Integrator, s
   cpu::FlatScene Flat() const {
     scene::Scene scene = SceneNamed(std::get<1>(GetParam()));
     scene.settings.integrator = std::get<0>(GetParam());
+    scene.settings.aovs.Add(scene::Aov::All);
     return cpu::Flatten(scene, scene.settings, scene.cameras[0]);
   }
 };
@@ -39,10 +40,13 @@ TEST_P(BruteForce, FindsWhatTheBvhFinds) {
   cpu::FlatScene scene = Flat();
   const bvh::Bvh bvh(scene.Geometry());
   for (std::uint32_t sample = 0; sample < Samples; ++sample) {
-    EXPECT_EQ(Difference("brute force", RenderByBruteForce(scene, sample).radiance, "BVH",
-                         RenderByBvh(scene, bvh, sample), 64),
-              "")
-        << "sample " << sample;
+    SCOPED_TRACE("sample " + std::to_string(sample));
+    const BruteForceSample tested = RenderByBruteForce(scene, sample);
+    std::vector<kernel::AovSample> aovs;
+    EXPECT_EQ(Difference("brute force", tested.radiance, "BVH",
+                         RenderByBvh(scene, bvh, sample, &aovs), 64),
+              "");
+    EXPECT_EQ(Difference("brute force", tested.aovs, "BVH", aovs, 64), "");
   }
 }
 

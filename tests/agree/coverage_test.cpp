@@ -171,6 +171,9 @@ TEST(Coverage, LightsAndFalloffs) {
   const auto lights = Every(&FlatScene::lights);
   EXPECT_EQ(Values(lights, &Light::kind), TagsTo(LIGHT_SPHERE));
   EXPECT_EQ(Values(lights, &Light::falloff), TagsTo(FALLOFF_INVERSE_SQUARE));
+  EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.group > 0; }));
+  EXPECT_TRUE(
+      any_of(Every(&FlatScene::materials), [](const Material& m) { return m.lightGroup > 0; }));
   EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.range > 0; }));
   EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.oneMinusCos > 0; }));
   for (const uint kind : {LIGHT_POINT, LIGHT_SPOT}) {

@@ -39,6 +39,25 @@ std::string Difference(const char* nameA, const std::vector<kernel::Spectrum>& a
                      ValueAndBits(b[first]));
 }
 
+std::string Difference(const char* nameA, const std::vector<kernel::AovSample>& a,
+                       const char* nameB, const std::vector<kernel::AovSample>& b,
+                       std::uint32_t width) {
+  // Word by word of the record
+  constexpr std::size_t Words = sizeof(kernel::AovSample) / 4;
+  CHECK(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::uint32_t wordsA[Words], wordsB[Words];
+    std::memcpy(wordsA, &a[i], sizeof wordsA);
+    std::memcpy(wordsB, &b[i], sizeof wordsB);
+    for (std::size_t word = 0; word < Words; ++word) {
+      if (wordsA[word] != wordsB[word])
+        return fmt::format("word {} of the AOVs differs at {},{}:\n  {}: {:08x}\n  {}: {:08x}",
+                           word, i % width, i / width, nameA, wordsA[word], nameB, wordsB[word]);
+    }
+  }
+  return "";
+}
+
 std::string DifferenceBeyondRounding(const std::vector<kernel::Spectrum>& a,
                                      const std::vector<kernel::Spectrum>& b) {
   CHECK(a.size() == b.size() && !a.empty());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/types.h"
+#include "kernel/aov.h"
 
 namespace snell::agree {
 
@@ -14,6 +14,11 @@ namespace snell::agree {
 // first of them with its values as `nameA` and `nameB` have it. Zeros of different sign differ.
 std::string Difference(const char* nameA, const std::vector<kernel::Spectrum>& a, const char* nameB,
                        const std::vector<kernel::Spectrum>& b, std::uint32_t width);
+
+// The same for what else the samples tell.
+std::string Difference(const char* nameA, const std::vector<kernel::AovSample>& a,
+                       const char* nameB, const std::vector<kernel::AovSample>& b,
+                       std::uint32_t width);
 
 // "" if the pictures are the same but for rounding: means that agree to a thousandth, and at most one pixel in
 // a hundred that is off by more than a hundredth of itself and the mean. Else what is wrong.

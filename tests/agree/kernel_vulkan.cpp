@@ -10,7 +10,7 @@ namespace snell::agree {
 
 namespace {
 
-constexpr std::uint32_t BufferCount = 24;  // src/gpu/shaders/buffers.glsl, and the radiance
+constexpr std::uint32_t BufferCount = 25;  // src/gpu/shaders/buffers.glsl, AOVs and radiance
 constexpr std::uint32_t GroupSize = 8;     // local_size_x and local_size_y
 
 template <class T>
@@ -47,6 +47,8 @@ void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
         Bytes(scene.lights),     Bytes(scene.emitters),  Bytes(scene.albedos),
         Bytes(scene.lightNodes), Bytes(scene.grids)})
     buffers_.emplace_back(device_, content);
+  tellsMore_ = scene.params.aovs == 1;
+  buffers_.emplace_back(device_, (tellsMore_ ? pixels : 1) * sizeof(kernel::AovSample));
   buffers_.emplace_back(device_, pixels * sizeof(kernel::Spectrum));
   program_.Bind(buffers_);
 }
@@ -61,6 +63,13 @@ std::vector<kernel::Spectrum> KernelOnVulkan::Render(std::uint32_t sample) {
                (resolution_.y + GroupSize - 1) / GroupSize, sample);
   std::memcpy(radiance.data(), data, bytes);
   return radiance;
+}
+
+std::vector<kernel::AovSample> KernelOnVulkan::Aovs() {
+  std::vector<kernel::AovSample> aovs(tellsMore_ ? std::size_t(resolution_.x) * resolution_.y : 0);
+  const std::byte* const data = buffers_[buffers_.size() - 2].data();
+  std::memcpy(aovs.data(), data, aovs.size() * sizeof(kernel::AovSample));
+  return aovs;
 }
 
 }  // namespace snell::agree

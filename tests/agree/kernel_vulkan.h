@@ -8,6 +8,7 @@
 
 #include "agree/vulkan.h"
 #include "cpu/flatten.h"
+#include "kernel/aov.h"
 
 namespace snell::agree {
 
@@ -22,11 +23,15 @@ class KernelOnVulkan {
   // Radiance of sample number `sample` of every pixel of the scene, row by row from the top.
   std::vector<kernel::Spectrum> Render(std::uint32_t sample);
 
+  // What else the sample rendered last tells, if the scene asks for it.
+  std::vector<kernel::AovSample> Aovs();
+
  private:
   const VulkanDevice& device_;
   VulkanProgram program_;
   std::vector<VulkanBuffer> buffers_;  // by binding
   kernel::uvec2 resolution_{0u, 0u};
+  bool tellsMore_ = false;
 };
 
 }  // namespace snell::agree

@@ -49,16 +49,19 @@ class OnDevice : public testing::TestWithParam<std::string> {
   void ExpectTheCpusPicture(scene::Integrator integrator) const {
     scene::Scene source = SceneNamed(GetParam());
     source.settings.integrator = integrator;
+    source.settings.aovs.Add(scene::Aov::All);
     cpu::FlatScene scene = cpu::Flatten(source, source.settings, source.cameras[0]);
     const bvh::Bvh bvh(scene.Geometry());
     kernel_->Upload(scene);
     for (std::uint32_t sample = 0; sample < Samples; ++sample) {
       SCOPED_TRACE("sample " + std::to_string(sample));
-      const auto onCpu = RenderByBvh(scene, bvh, sample);
+      std::vector<kernel::AovSample> aovs;
+      const auto onCpu = RenderByBvh(scene, bvh, sample, &aovs);
       const auto onDevice = kernel_->Render(sample);
       EXPECT_EQ(CountNonFinite(onCpu), 0u);
       if (device_->software()) {
         EXPECT_EQ(Difference("CPU", onCpu, device_->name().c_str(), onDevice, 64), "");
+        EXPECT_EQ(Difference("CPU", aovs, device_->name().c_str(), kernel_->Aovs(), 64), "");
       } else {
         EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << device_->name();
       }

@@ -69,6 +69,7 @@ scene::Scene AreaLights() {
   rectangle.edgeU = vec3(0, 0, -1);
   rectangle.edgeV = vec3(1, 0.2f, 0);
   rectangle.color = {1, 0.8f, 0.6f};
+  rectangle.group = "key";
   builder.Add(rectangle);
   scene::Light triangle = AreaLight(LightKind::Triangle, vec3(0, 3, 0), 6);
   triangle.edgeU = vec3(0, 0, -1);
@@ -79,6 +80,16 @@ scene::Scene AreaLights() {
   disk.samples = 3;
   builder.Add(disk);
   builder.Add(AreaLight(LightKind::Sphere, vec3(-0.5f, 1.8f, -1.5f), 3));
+  scene::Light around = AmbientLight(0.1f);
+  around.group = "around";
+  builder.Add(around);
+  scene::Material glowing = Matte(Spectrum(0.2f));
+  glowing.emission.value = Spectrum(0.5f, 0.3f, 0.1f);
+  glowing.lightGroup = "glow";
+  builder.Place(scene::MeshGeometry{builder.Add(Tetrahedron())}, builder.Add(glowing),
+                Move({2, -0.3f, 2}) * Scale(vec3(0.3f)));
+  builder.environment().top = builder.environment().bottom = Spectrum(0.02f, 0.03f, 0.05f);
+  builder.environment().lightGroup = "around";
   return builder.Finish();
 }
 

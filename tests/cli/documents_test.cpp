@@ -59,6 +59,10 @@ TEST_F(Documents, EachCommandHasAPage) {
                                                                           "--float",
                                                                           "--quality",
                                                                           "--exposure",
+                                                                          "--view",
+                                                                          "--denoise",
+                                                                          "--denoiser",
+                                                                          "--aov",
                                                                           "--size",
                                                                           "--crop",
                                                                           "--camera",
@@ -117,6 +121,7 @@ TEST_F(Documents, RenderTellsTheDefaultsOfScenes) {
         std::pair("--spp", SceneDefault(reference, "spp")),
         std::pair("--max-depth", SceneDefault(reference, "max_depth")),
         std::pair("--min-contribution", SceneDefault(reference, "min_contribution")),
+        std::pair("--view", SceneDefault(reference, "view")),
         std::pair("--exposure", SceneDefault(reference, "exposure"))}) {
     const std::size_t begin = help.find("\n  " + std::string(option) + " ");
     const std::string line = help.substr(begin, help.find('\n', begin + 1) - begin);

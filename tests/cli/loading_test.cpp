@@ -65,6 +65,23 @@ TEST_F(Loading, TimeIsSaidToChangeNothingWithoutAnimations) {
   EXPECT_EQ(Run({"check", "still.gltf", "--at", "noon"}).status, 2);
 }
 
+TEST_F(Loading, AMapLightsAnyModel) {
+  const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
+  Write("white.hdr", head + std::string("\x80\x80\x80\x81\x80\x80\x80\x81"));
+  Write("red.hdr", head + std::string("\x80\x10\x10\x81\x80\x10\x10\x81"));
+  const auto render = [&](const char* map) {
+    EXPECT_EQ(Run({"render", "still.gltf", "-q", "--size", "16x12", "--spp", "1", "--environment",
+                   map, "-o", "a.png"})
+                  .status,
+              0);
+    return Read("a.png");
+  };
+  EXPECT_NE(render("white.hdr"), render("red.hdr"));
+  const Result missing = Run({"check", "still.gltf", "--environment", "none.hdr"});
+  EXPECT_EQ(missing.status, 1);
+  ExpectHas(missing.err, "none.hdr");
+}
+
 TEST_F(Loading, FoldersOutsideMustBeAllowed) {
   std::filesystem::create_directories(folder_ / "scenes/parts");
   std::filesystem::create_directories(folder_ / "library");

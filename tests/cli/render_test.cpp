@@ -57,6 +57,50 @@ TEST_F(Rendering, TheSummaryTellsTimesRaysAndMemory) {
     EXPECT_NE(result.err.find(part), std::string::npos) << part << " is not in " << result.err;
 }
 
+TEST_F(Rendering, DenoisedPicturesStandBesideTheOthers) {
+  Render({"-o", "a.exr", "-o", "a.png", "--spp", "4", "--denoiser", "nfor"});
+  for (const char* name : {"a.exr", "a.png", "a.denoised.exr", "a.denoised.png"})
+    EXPECT_EQ(Load(name).width, 48) << name;
+  Render({"-o", "b.exr", "--spp", "4"});
+  EXPECT_EQ(Distance(Load("a.exr"), Load("b.exr")), 0);
+  EXPECT_GT(Distance(Load("a.denoised.exr"), Load("b.exr")), 0);
+  EXPECT_NEAR(Mean(Load("a.denoised.exr")), Mean(Load("b.exr")), 0.02 * Mean(Load("b.exr")));
+}
+
+TEST_F(Rendering, ViewsChangeWhatIsNotLinear) {
+  Render({"-o", "agx.png", "-o", "agx.exr", "--view", "agx"});
+  Render({"-o", "raw.png", "-o", "raw.exr", "--view", "raw"});
+  EXPECT_EQ(Distance(Load("agx.exr"), Load("raw.exr")), 0);
+  EXPECT_GT(Distance(Load("agx.png"), Load("raw.png")), 0.1);
+}
+
+TEST_F(Rendering, LayersLeaveThePictureAsItIs) {
+  Render({"-o", "plain.exr"});
+  Render({"-o", "layers.exr", "--aov", "all"});
+  EXPECT_EQ(Distance(Load("plain.exr"), Load("layers.exr")), 0);
+  EXPECT_GT(std::filesystem::file_size(Path("layers.exr")),
+            3 * std::filesystem::file_size(Path("plain.exr")));
+}
+
+TEST_F(Rendering, LayersThatCanBeShownStandBesideAPng) {
+  Render({"-o", "a.png", "--aov", "all"});
+  for (const char* name : {"albedo", "normal", "depth", "direct", "indirect", "light_other"})
+    EXPECT_EQ(Load(std::string("a.") + name + ".png").width, 48) << name;
+  EXPECT_FALSE(std::filesystem::exists(Path("a.uv.png")));
+}
+
+TEST_F(Rendering, InfoListsTheLayers) {
+  Render({"-o", "a.exr", "--aov", "depth,albedo"});
+  const Result result = Run({"info", "a.exr"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(
+      result.out,
+      "a.exr\n  picture    48 × 32\n  layers     3\n             albedo: B (half), G (half), R "
+      "(half)\n             depth: Z (float)\n             the picture: B (half), G (half), R "
+      "(half)\n");
+  EXPECT_NE(Run({"info", "--json", "a.exr"}).out.find("\"depth.Z\": \"float\""), std::string::npos);
+}
+
 TEST_F(Rendering, SizeByBothSidesOrOne) {
   Render({"-o", "both.png", "--size", "20x10"});
   Render({"-o", "width.png", "--size", "96"});

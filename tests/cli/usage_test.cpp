@@ -59,6 +59,13 @@ const Mistake Mistakes[] = {
     {{"render", "a.nff", "--min-contribution", "nan"},
      "--min-contribution must be a number, not 'nan'"},
     {{"render", "a.nff", "--exposure", "bright"}, "--exposure must be a number, not 'bright'"},
+    {{"render", "a.nff", "--aov", "albedo,norml"},
+     "--aov must be some of albedo, normal, depth, position, uv, crypto_object, crypto_material, "
+     "direct, indirect, light_groups, sample_count, variance, all, not 'albedo,norml'"},
+    {{"render", "a.nff", "-o", "a.exr", "--view", "agx"},
+     "--view is for .png files, and none is written"},
+    {{"render", "a.nff", "-o", "a.exr", "-o", "a.denoised.exr", "--denoise"},
+     "--output names 'a.denoised.exr' twice"},
     {{"render", "a.nff", "--exposure", "inf"}, "--exposure must be at most 100, not 'inf'"},
     {{"render", "a.nff", "--smooth", "181"}, "--smooth must be at most 180, not '181'"},
     {{"render", "a.nff", "--quality", "101"}, "--quality must be at most 100, not '101'"},

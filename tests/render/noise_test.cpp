@@ -50,12 +50,12 @@ double DisplayRmse(const Picture& a, const Picture& b) {
 }
 
 TEST(Noise, IsWhatIsTold) {
-  const std::string room = Room(24);
+  const std::string room = Room(16);
   RenderOptions reference;
   reference.spp = 4096;
   reference.samples = {{1048576, 1052672}};
   const Picture truth = PictureOf(room, reference);
-  for (const float target : {0.04f, 0.02f}) {
+  for (const float target : {0.05f, 0.03f}) {
     RenderOptions options;
     options.noise = target;
     const RenderResult result = RenderText(room, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Entry point: one sample of every pixel with the Whitted integrator. Writes the radiance, not a mean; the
-// host adds samples up. One sample a dispatch keeps within the loop budget of software drivers.
+// Entry point: one sample of every pixel with the Whitted integrator. Writes the radiance, not a mean, and
+// what else the sample tells if it is asked for; the host adds samples up. One sample a dispatch keeps within the loop budget of software drivers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,6 +11,8 @@
 #include "gpu/shaders/buffers.glsl"
 #include "gpu/shaders/brute_force.glsl"
 
+AovSample aovs[1];
+
 WhittedBranch branches[WhittedStackSize];
 
 #include "kernel/scene_filter.h"
@@ -19,13 +21,15 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"
+#include "kernel/scene_aov.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/whitted.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 23) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 23) writeonly buffer AovBuffer { AovSample aovSamples[]; };
+layout(scalar, set = 0, binding = 24) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {
@@ -35,5 +39,7 @@ void main() {
   WhittedState state;
   WhittedBegin(state, pixel, sampleIndex);
   while (state.alive == 1u) WhittedStep(state);
-  radiance[pixel.y * size.x + pixel.x] = state.L;
+  uint index = pixel.y * size.x + pixel.x;
+  radiance[index] = state.L;
+  if (params.aovs == 1u) aovSamples[index] = aovs[0];
 }

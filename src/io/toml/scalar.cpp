@@ -18,6 +18,7 @@ const SectionOf<ScalarInput>& ChannelSection() {
        Field("channel", &ScalarInput::channel,
              Choice<int>({{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}}), "Its channel."),
        Field("factor", &ScalarInput::value, Number(NotNegative), "The factor.")
+           .Standard("`1`")
            .Not({"scale", "value"})});
   return section;
 }

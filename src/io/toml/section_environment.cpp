@@ -161,6 +161,10 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
           .Standard("nothing")
           .Example("{ scattering = 0.05, absorption = 0.01 }")
           .Not({"fog", "volume", "atmosphere"});
+  const auto group = Field("light_group", &Environment::lightGroup, LightGroupName(),
+                           "Of its light, as a light's.")
+                         .Standard("none")
+                         .Not({"group"});
   static const SectionOf<EnvironmentDraft> section =
       SectionOf<EnvironmentDraft>(
           "environment", "[environment]",
@@ -170,7 +174,7 @@ const SectionOf<EnvironmentDraft>& EnvironmentSection() {
           Join<EnvironmentDraft>({{color},
                                   Within(&EnvironmentDraft::environment, GradientKeys()),
                                   SourceKeys(),
-                                  Within(&EnvironmentDraft::environment, {ior, medium})}))
+                                  Within(&EnvironmentDraft::environment, {ior, medium, group})}))
           .OnlyOne(
               {{"color"}, {"bottom", "top", "bottom_elevation", "top_elevation"}, {"map"}, {"sky"}})
           .Checked(CheckEnvironment);

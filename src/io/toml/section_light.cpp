@@ -249,7 +249,12 @@ const SectionOf<LightDraft>& LightSection() {
           In({Field("name", &Light::name, Text("sun"), "For messages.").Standard("none"),
               Field("color", &Light::color, Color(Brightness::Unlimited),
                     "Multiplies the strength.")
-                  .Not({"colour", "rgb", "tint"})}))
+                  .Not({"colour", "rgb", "tint"}),
+              Field("light_group", &Light::group, LightGroupName(),
+                    "Sources of one name are told apart from others in a layer of their own, if "
+                    "`light_groups` is among the AOVs.")
+                  .Standard("none")
+                  .Not({"group"})}))
           .Variants("type", {AmbientLight(), DirectionalLight(), PointLight(), SpotLight(),
                              RectangleLight(), TriangleLight(), DiskLight(), SphereLight()})
           .OnlyOne({{"direction"}, {"look_at"}})

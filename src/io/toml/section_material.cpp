@@ -111,6 +111,10 @@ static MaterialKeys CommonKeys() {
             "it "
             "lights nothing else.")
           .Not({"emissive", "glow", "radiance"});
+  const auto group = Field("light_group", &Material::lightGroup, LightGroupName(),
+                           "Of what the surface emits, as a light's.")
+                         .Standard("none")
+                         .Not({"group"});
   const auto thin =
       Field("thin", &Material::thin, Boolean(),
             "A sheet without an inside, such as a window pane: light passes straight through.")
@@ -131,7 +135,7 @@ static MaterialKeys CommonKeys() {
       Field("priority", &Material::priority, Integer(-1000, 1000),
             "Where insides overlap, the material with the higher priority fills the space.");
   return Join<MaterialDraft>(
-      {{PresetKey()}, In({emission, thin, ior, color, distance, priority}), MapKeys()});
+      {{PresetKey()}, In({emission, group, thin, ior, color, distance, priority}), MapKeys()});
 }
 
 static MaterialKeys ReflectionKeys() {

@@ -68,10 +68,14 @@ static Keys<RenderSettings> PictureKeys() {
       Field("filter_radius", &RenderSettings::filterRadius, Number({0, 16}, "pixels"),
             "Radius of the filter; 0: the usual one of its kind."),
       Field("exposure", &RenderSettings::exposure, Number({-32, 32}, "stops"),
-            "Brightens pictures that are not linear; 1 doubles.")};
+            "Brightens pictures that are not linear; 1 doubles."),
+      Field("view", &RenderSettings::view, Choice<image::View>(image::ViewNames()),
+            "How pictures that are not linear show what is brighter than white.")
+          .Not({"view_transform", "tone_mapping", "tonemap"})};
 }
 
 static void FinishRender(Reader&, const Fields&, RenderDraft& draft) {
+  for (const scene::Aov aov : draft.aovs) draft.settings.aovs.Add(aov);
   draft.settings.width = draft.size[0];
   draft.settings.height = draft.size[1];
 }
@@ -80,12 +84,20 @@ const SectionOf<RenderDraft>& RenderSection() {
   const auto size =
       Field("size", &RenderDraft::size, ImageSize(), "Width and height of the picture.")
           .Not({"resolution", "width", "height", "image_size"});
+  const auto aovs =
+      Field("aovs", &RenderDraft::aovs,
+            ListOf(Choice<scene::Aov>(scene::AovNames()), "names of layers"),
+            "Layers that an EXR holds besides the picture: those of `docs/aovs.md`, or \"all\".")
+          .Standard("none")
+          .Example("[\"albedo\", \"normal\", \"depth\"]")
+          .Not({"aov", "passes", "layers"});
   static const SectionOf<RenderDraft> section =
       SectionOf<RenderDraft>("render", "[render]",
                              "How the picture is made. The command line overrides it.",
                              Join<RenderDraft>({{size},
                                                 Within(&RenderDraft::settings, SamplingKeys()),
-                                                Within(&RenderDraft::settings, PictureKeys())}))
+                                                Within(&RenderDraft::settings, PictureKeys()),
+                                                {aovs}}))
           .Checked(FinishRender);
   return section;
 }

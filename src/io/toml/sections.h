@@ -241,6 +241,7 @@ struct CameraDraft {
 struct RenderDraft {
   scene::RenderSettings settings;
   std::array<int, 2> size{settings.width, settings.height};
+  std::vector<scene::Aov> aovs;
 };
 
 struct SkyDraft {

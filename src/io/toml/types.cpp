@@ -150,6 +150,20 @@ Type<bool> Boolean() {
   return type;
 }
 
+Type<std::string> LightGroupName() {
+  Type<std::string> type = Text("key");
+  type.expected = "a name of letters, digits, '_' and '-', 32 at most";
+  type.schema = R"({"type": "string", "pattern": "^[A-Za-z0-9_-]{1,32}$"})";
+  type.read = [expected = type.expected](Reader& reader, const Node& value, std::string& name) {
+    const auto given = value.String();
+    if (!given || !scene::IsLightGroupName(std::string(*given)))
+      return reader.Refuse(value, expected);
+    name = *given;
+    return true;
+  };
+  return type;
+}
+
 Type<std::string> Text(std::string example) {
   Type<std::string> type;
   type.expected = "a string";

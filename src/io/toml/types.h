@@ -53,6 +53,7 @@ Type<float> Number(Range range, std::string unit = "");
 Type<float> Degrees(Range range);  // in radians in the record
 Type<bool> Boolean();
 Type<std::string> Text(std::string example);
+Type<std::string> LightGroupName();
 
 Type<int> Integer(int lower, int upper);
 Type<std::uint32_t> Seed();
