@@ -18,7 +18,7 @@ Shading: ambient diffuse specular phong
 Light: light_directional light_point light_spot falloff light_colors sky_noon sky_evening
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
-Cameras: depth_of_field fisheye
+Cameras: depth_of_field motion_blur fisheye
 Glass: refraction total_reflection absorption glass_of_water
 Media: fog smoke subsurface
 Real materials: metals thin_films dispersion

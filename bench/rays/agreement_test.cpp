@@ -38,7 +38,7 @@ class Course {
 
   Query RandomQuery(Random& random) const {
     const vec3 o(lower_ + (upper_ - lower_) * (random.InCube() * 0.5 + 0.5));
-    if (random.Chance(0.5)) return {{o, vec3(random.Direction())}, kernel::Infinite};
+    if (random.Chance(0.5)) return {{o, vec3(random.Direction()), 0}, kernel::Infinite};
 
     // At a vertex or at a point of an edge
     const kernel::Triangle& t = scene_.triangles[random.Index(unsigned(scene_.triangles.size()))];
@@ -47,7 +47,7 @@ class Course {
     const vec3 b = Placed(scene_.positions[t.v1], placement);
     const vec3 target =
         random.Chance(0.5) ? a : vec3(dvec3(a) + (dvec3(b) - dvec3(a)) * random.Uniform());
-    return {{o, target - o}, kernel::Infinite};
+    return {{o, target - o, 0}, kernel::Infinite};
   }
 
   // Whether the nearest hit at t, or none if t is infinite, differs from the truth by no more than rounding.
@@ -65,7 +65,7 @@ class Course {
     for (int i = 0; i < 8 && !excused; ++i) {
       const double angle = i * 0.7853981633974483;
       const dvec3 out = side * std::cos(angle) + glm::cross(d, side) * std::sin(angle);
-      const Query neighbour{{vec3(o + out * distance), query.ray.d}, query.tMax};
+      const Query neighbour{{vec3(o + out * distance), query.ray.d, 0}, query.tMax};
       excused = bruteForce_.Trace(neighbour).nearest >= (passed + double(t)) / 2;
     }
     return excused;
@@ -122,7 +122,7 @@ TEST_P(WithEmbree, HitsAreTheSame) {
       ++judged;
       wrongEmbree += !course.IsRight(queries[i], theirs[i].t);
       if (!course.IsRight(queries[i], ours[i].t) && wrong++ == 0) {
-        const auto& [o, d] = queries[i].ray;
+        const auto& [o, d, time] = queries[i].ray;
         ADD_FAILURE() << "ray from " << std::hexfloat << o.x << " " << o.y << " " << o.z
                       << " towards " << d.x << " " << d.y << " " << d.z << std::defaultfloat
                       << ": Snell " << ours[i].t << ", Embree " << theirs[i].t;

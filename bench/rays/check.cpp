@@ -75,7 +75,7 @@ double Distance(const Answer& answer, const Truth& truth) {
 }
 
 void Describe(const Workload& workload, std::size_t ray, const Answer& answer, const Truth& truth) {
-  const auto& [o, d] = workload.queries[ray].ray;
+  const auto& [o, d, time] = workload.queries[ray].ray;
   fmt::print(stderr,
              "  wrong: {} ray {} from ({:a}, {:a}, {:a}) towards ({:a}, {:a}, {:a}), tMax {}: "
              "t = {} instead of {}\n",

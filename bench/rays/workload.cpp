@@ -61,7 +61,7 @@ std::vector<Query> PrimaryRays(const Scene& scene, std::size_t count, Random& ra
     const float x = (float(column) + random.UniformFloat()) / float(side) * 2 - 1;
     const float y = 1 - (float(row) + random.UniformFloat()) / float(side) * 2;
     const vec3 d = kernel::Normalize(forward + (right * x + up * y) * scene.halfHeight);
-    queries.push_back({{scene.eye, d}, kernel::Infinite});
+    queries.push_back({{scene.eye, d, 0}, kernel::Infinite});
   }
   return queries;
 }
@@ -106,10 +106,10 @@ std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer
   if (seen.empty()) throw Error(fmt::format("the camera sees nothing of {}", scene.name));
 
   const auto bounce = [&](const Start& start) {
-    return Query{{start.p, CosineDirection(start.n, random)}, kernel::Infinite};
+    return Query{{start.p, CosineDirection(start.n, random), 0}, kernel::Infinite};
   };
   const auto toLight = [&](const Start& start) {
-    return Query{{start.p, scene.light - start.p}, 0.9999f};
+    return Query{{start.p, scene.light - start.p, 0}, 0.9999f};
   };
   // The middle distance of what is seen
   std::vector<float> distances;
@@ -117,7 +117,7 @@ std::vector<Workload> MakeWorkloads(const Scene& scene, const Contestant& tracer
   std::ranges::nth_element(distances, distances.begin() + std::ptrdiff_t(distances.size() / 2));
   const float reach = 0.05f * distances[distances.size() / 2];
   const auto shortBounce = [&](const Start& start) {
-    return Query{{start.p, CosineDirection(start.n, random)}, reach};
+    return Query{{start.p, CosineDirection(start.n, random), 0}, reach};
   };
 
   const std::vector<Query> diffuse = RaysFrom(seen, count, bounce);

@@ -23,12 +23,12 @@ int main() {
 
   const vec3 light(6, 3, 0);
   for (const float x : {-4.0f, -1.5f, 0.5f, 3.0f}) {
-    const Ray ray{vec3(x, 5, 0.25f), vec3(0, -1, 0)};
+    const Ray ray{vec3(x, 5, 0.25f), vec3(0, -1, 0), 0};
     const auto hit = bvh.Closest(ray, snell::kernel::Infinite);
 
     // A shadow ray from just above the surface; it ends at the light, where t = 1
     const vec3 p = ray.o + ray.d * (hit.t - 1e-4f);
-    const bool dark = bvh.Any({p, light - p}, 1);
+    const bool dark = bvh.Any({p, light - p, 0}, 1);
     std::printf("x = %4.1f: triangle %u at height %.2f, %s\n", double(x), hit.primitive,
                 double(p.y), dark ? "in shadow" : "lit");
   }

@@ -81,6 +81,41 @@ TEST_P(Agreement, WithBruteForce) {
   EXPECT_GT(hits, rays / 50);
 }
 
+TEST(Motion, AgreesWithBruteForce) {
+  Random random(703);
+  std::uint64_t rays = 0, hits = 0, wrong = 0;
+  std::string first;
+  for (const test::SoupKind& kind : test::SoupKinds()) {
+    if (kind.name != "Shapes" && kind.name != "Instances" && kind.name != "Everything") continue;
+    for (std::uint64_t round = 0; round < test::Scaled(12); ++round) {
+      Soup soup;
+      kind.fill(soup, random, 100);
+      soup.Move(random);
+      Bvh bvh(soup.Geometry());
+      test::search::BruteForce brute = soup.BruteForce();
+      for (int i = 0; i < 1500; ++i) {
+        Ray ray = test::RandomRay(random, soup);
+        ray.time = random.Chance(0.1) ? float(random.Index(2)) : random.UniformFloat();
+        const unsigned mask = random.Chance(0.5) ? kernel::MASK_ALL : 1u << random.Index(5);
+        const Hit expected = brute.ClosestHit(ray, kernel::Infinite, mask);
+        ++rays;
+        if (expected.primitive != kernel::None) ++hits;
+        for (const InstructionSet set : SupportedInstructionSets()) {
+          bvh.Use(set);
+          const std::string difference =
+              Difference(soup, ray, expected, IdsOf(bvh.Closest(ray, kernel::Infinite, mask)));
+          const bool any =
+              bvh.Any(ray, kernel::Infinite, mask) == (expected.primitive != kernel::None);
+          if (difference.empty() && any) continue;
+          if (wrong++ == 0) first = std::string(NameOf(set)) + ": " + difference;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << "of " << rays << "\n" << first;
+  EXPECT_GT(hits, rays / 20);
+}
+
 TEST_P(Agreement, OfBothQualitiesOverManyPrimitives) {
   Random random(701);
   Soup soup;

@@ -29,7 +29,7 @@ void PackInstance(PlacedTree& placed, std::uint32_t instance, const Geometry& ge
             from.root,
             instance,
             mask,
-            0};
+            geometry.IsMoving(from.object) ? from.object : None};
 }
 
 float PackPair(PairBlock& block, std::uint32_t lane, std::uint32_t first, std::uint32_t second,

@@ -2,6 +2,9 @@
 #include "bvh/bounds.h"
 
 #include <cmath>
+#include <glm/common.hpp>
+
+#include "kernel/motion.h"
 
 namespace snell::bvh {
 
@@ -92,6 +95,40 @@ Bounds ShapeBounds(const kernel::Shape& shape) {
     }
   }
   return {};
+}
+
+// The box of a box on its way: points move straight from key to key. Wider than for what stands still by what the
+// inverse of a map between two keys may lose (kernel::InverseError).
+static Bounds MovingBounds(const Geometry& geometry, std::uint32_t object,
+                           std::span<const Bounds> parts) {
+  const kernel::Object& mover = geometry.objects[object];
+  vec3 reach(0.0f);
+  for (const Bounds& part : parts)
+    reach = glm::max(reach, glm::max(Abs(part.lower), Abs(part.upper)));
+  Bounds bounds;
+  float margin = 0;
+  for (std::uint32_t i = 0; i <= mover.motionSteps; ++i) {
+    const kernel::MotionKey& key = geometry.motions[mover.motion + i];
+    const kernel::Transform place = kernel::PlaceBetween(key, key, 0.0f);
+    bounds.Extend(TransformedBounds(place, parts));
+    const vec3 far = Abs(place.x) * reach.x + Abs(place.y) * reach.y + Abs(place.z) * reach.z;
+    const vec3 error = kernel::InverseError(place, place.origin + far);
+    margin = std::max(margin, 2 * error.x);
+  }
+  return {bounds.lower - margin, bounds.upper + margin};
+}
+
+Bounds PlacedBounds(const Geometry& geometry, const kernel::Shape& shape) {
+  const Bounds own = ShapeBounds(shape);
+  return geometry.IsMoving(shape.object) && own.Finite()
+             ? MovingBounds(geometry, shape.object, {&own, 1})
+             : own;
+}
+
+Bounds PlacedBounds(const Geometry& geometry, const kernel::Instance& instance,
+                    std::span<const Bounds> parts) {
+  return geometry.IsMoving(instance.object) ? MovingBounds(geometry, instance.object, parts)
+                                            : TransformedBounds(instance.toWorld, parts);
 }
 
 }  // namespace snell::bvh

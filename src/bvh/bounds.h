@@ -83,12 +83,18 @@ inline Bounds BoundsOf(const Box& box) {
 // Not finite if a vertex is not.
 Bounds TriangleBounds(const Geometry& geometry, std::uint32_t triangle);
 
-// The box of an analytic shape, wide enough for rounding. Not finite for infinite planes.
+// The box of an analytic shape, wide enough for rounding. Not finite for infinite planes. Of one that moves: in its
+// object's space.
 Bounds ShapeBounds(const kernel::Shape& shape);
 
 // The box of a box after an affine map, wide enough for rounding.
 Bounds TransformedBounds(const kernel::Transform& transform, const Bounds& local);
 // The same for several boxes together, which is tighter than the box of the box around them.
 Bounds TransformedBounds(const kernel::Transform& transform, std::span<const Bounds> parts);
+
+// The boxes of shapes and instances in the world, which hold those that move from the first to the last moment.
+Bounds PlacedBounds(const Geometry& geometry, const kernel::Shape& shape);
+Bounds PlacedBounds(const Geometry& geometry, const kernel::Instance& instance,
+                    std::span<const Bounds> parts);
 
 }  // namespace snell::bvh

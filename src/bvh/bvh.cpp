@@ -45,7 +45,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
   HugeVector<PrimitiveRef> references =
       PairTriangles(geometry, 0, geometry.worldTriangles, dropped_);
   for (std::uint32_t i = 0; i < geometry.shapes.size(); ++i) {
-    const Bounds bounds = ShapeBounds(geometry.shapes[i]);
+    const Bounds bounds = PlacedBounds(geometry, geometry.shapes[i]);
     if (bounds.Finite()) {
       references.emplace_back(BoxOf(bounds), LeafKind::Shapes, i);
       view_.treeMask |= MaskOf(geometry.shapes[i].object);
@@ -56,7 +56,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
   std::vector<Bounds> instanceBounds(geometry.instances.size());
   tbb::parallel_for(std::size_t(0), instanceBounds.size(), [&](std::size_t i) {
     const kernel::Instance& instance = geometry.instances[i];
-    instanceBounds[i] = TransformedBounds(instance.toWorld, treeBoxes[instance.root]);
+    instanceBounds[i] = PlacedBounds(geometry, instance, treeBoxes[instance.root]);
   });
   for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
     const kernel::Instance& instance = geometry.instances[i];
@@ -88,6 +88,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
            geometry.shapes.data(),
            geometry.instances.data(),
            geometry.objects.empty() ? nullptr : geometry.objects.data(),
+           geometry.motions.empty() ? nullptr : geometry.motions.data(),
            HitFilter{}};
   FindPlainMask();
 }

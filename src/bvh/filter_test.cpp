@@ -169,8 +169,8 @@ TEST(FilterByTriangle, FindsTheFirstThatCounts) {
                    return hit.primitive >= *static_cast<const std::uint32_t*>(data);
                  },
                  &first});
-  const Ray forth{vec3(0, 0, -1), vec3(0, 0, 1)};
-  const Ray back{vec3(0, 0, 40), vec3(0, 0, -2)};
+  const Ray forth{vec3(0, 0, -1), vec3(0, 0, 1), 0};
+  const Ray back{vec3(0, 0, 40), vec3(0, 0, -2), 0};
   for (const InstructionSet set : SupportedInstructionSets()) {
     bvh.Use(set);
     for (first = 0; first < 30; ++first) {

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "kernel/math.h"
 #include "kernel/types.h"
 
 namespace snell::bvh {
@@ -19,6 +20,12 @@ struct Geometry {
   std::span<kernel::Instance> instances;  // place ranges of triangles; the build sets their `root`s
   std::span<const kernel::Object> objects;
   std::uint32_t worldTriangles = 0;  // the first so many triangles are in world space
+  std::span<const kernel::MotionKey> motions =
+      {};  // of objects that move, which have shapes or instances
+
+  bool IsMoving(std::uint32_t object) const {
+    return !motions.empty() && objects[object].motion != kernel::None;
+  }
 };
 
 }  // namespace snell::bvh

@@ -70,8 +70,8 @@ struct alignas(64) PlacedTree {
   float map[12];
   std::uint32_t tree;
   std::uint32_t instance;
-  std::uint32_t mask;    // of the object
-  std::uint32_t unused;  // 0
+  std::uint32_t mask;   // of the object
+  std::uint32_t mover;  // the object if it moves, whose place the map is not; else None
 };
 
 // The root of one tree, and along each axis how far its bounds reach from the origin, times kernel::Gamma(8).

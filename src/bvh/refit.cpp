@@ -44,12 +44,12 @@ class Refitter {
     for (std::uint32_t i = FirstOf(leaf); i < FirstOf(leaf) + CountOf(leaf); ++i) {
       Bounds bounds;
       if (KindOf(leaf) == LeafKind::Shapes) {
-        bounds = ShapeBounds(geometry_.shapes[arrays_.shapes[i]]);
+        bounds = PlacedBounds(geometry_, geometry_.shapes[arrays_.shapes[i]]);
       } else {
         PlacedTree& placed = arrays_.placed[i];
         PackInstance(placed, placed.instance, geometry_);
-        bounds = TransformedBounds(geometry_.instances[placed.instance].toWorld,
-                                   treeBoxes_[placed.tree]);
+        bounds =
+            PlacedBounds(geometry_, geometry_.instances[placed.instance], treeBoxes_[placed.tree]);
       }
       if (bounds.Finite()) box.Extend(BoxOf(bounds));
     }

@@ -127,7 +127,7 @@ std::uint64_t WrongHits(Bvh& bvh, const Geometry& geometry, const std::vector<ve
     for (std::uint32_t i = 0; i < geometry.triangles.size(); ++i) {
       const kernel::Triangle& t = geometry.triangles[i];
       const vec3 middle = (sound[t.v0] + sound[t.v1] + sound[t.v2]) / 3.0f;
-      const Ray ray{middle + vec3(0, 1, 0), vec3(0, -1, 0)};
+      const Ray ray{middle + vec3(0, 1, 0), vec3(0, -1, 0), 0};
       const bool isGone = gone[t.v0] || gone[t.v1] || gone[t.v2];
       wrong += bvh.Closest(ray, Infinite).primitive != (isGone ? None : i);
       wrong += bvh.Any(ray, Infinite) == isGone;
@@ -193,9 +193,9 @@ TEST(RefitWithoutNumbers, LosesOnlyTheShapesAndInstancesThatHaveNone) {
         bvh.Use(set);
         for (std::uint32_t i = 0; i < 6; ++i) {
           const float x = 4 * float(i) + 0.25f;
-          const Intersection onShape = bvh.Closest({vec3(x, 9, 0.1f), vec3(0, -1, 0)}, Infinite);
+          const Intersection onShape = bvh.Closest({vec3(x, 9, 0.1f), vec3(0, -1, 0), 0}, Infinite);
           wrongShapes += onShape.primitive != (i == gone ? None : i);
-          const Intersection onCube = bvh.Closest({vec3(x, 9, 4.1f), vec3(0, -1, 0)}, Infinite);
+          const Intersection onCube = bvh.Closest({vec3(x, 9, 4.1f), vec3(0, -1, 0), 0}, Infinite);
           wrongInstances += onCube.instance != (i == gone ? None : i);
         }
       }

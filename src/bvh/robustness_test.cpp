@@ -44,7 +44,7 @@ TEST(EmptyBvh, IsMissedByEveryRay) {
   EXPECT_EQ(bvh.droppedPrimitives(), 0u);
   Random random(720);
   for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(random.InCube()), vec3(random.Direction())}), None);
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(random.InCube()), vec3(random.Direction()), 0}), None);
 }
 
 TEST(EmptyBvh, MayHoldInstancesOfNothing) {
@@ -53,7 +53,7 @@ TEST(EmptyBvh, MayHoldInstancesOfNothing) {
   soup.AddInstance(soup.AddMesh(test::TriangleMesh{{vec3(NaN)}, {{0, 0, 0}}}), glm::dmat4(1.0));
   Bvh bvh(soup.Geometry());
   EXPECT_EQ(bvh.droppedPrimitives(), 1u);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -5), vec3(0, 0, 1)}), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -5), vec3(0, 0, 1), 0}), None);
 }
 
 TEST(EmptyBvh, MayHoldPlanesAlone) {
@@ -63,9 +63,9 @@ TEST(EmptyBvh, MayHoldPlanesAlone) {
   plane.toWorld = test::ToKernel(glm::dmat4(1.0));
   soup.AddShape(plane);
   Bvh bvh(soup.Geometry());
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0)}), 0u);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0)}, 1.99f), None);
-  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 2, 0), vec3(0, 1, 0)}), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0), 0}), 0u);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(1e5f, 2, -1e5f), vec3(0, -1, 0), 0}, 1.99f), None);
+  EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 2, 0), vec3(0, 1, 0), 0}), None);
 }
 
 TEST(DroppedPrimitives, AreThoseWithoutFiniteCoordinates) {
@@ -98,7 +98,7 @@ TEST(DroppedPrimitives, AreThoseWithoutFiniteCoordinates) {
   Bvh bvh(soup.Geometry());
   EXPECT_EQ(bvh.droppedPrimitives(), bad + spoilt + 1);
   for (std::uint32_t i = 1; i <= bad; ++i)
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(2 * float(i) + 0.2f, 0.2f, 9), vec3(0, 0, -1)}, 10.0f),
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(2 * float(i) + 0.2f, 0.2f, 9), vec3(0, 0, -1), 0}, 10.0f),
               2 * i - 1);
 }
 
@@ -135,7 +135,7 @@ TEST(HugeCoordinates, AreStillHitUpTo1e12) {
     int hits = 0;
     for (int i = 0; i < 500; ++i) {
       const glm::dvec3 o = random.Direction() * (2 * size);
-      const Ray ray{vec3(o), vec3(glm::normalize(soup.PointOnSurface(random) - o))};
+      const Ray ray{vec3(o), vec3(glm::normalize(soup.PointOnSurface(random) - o)), 0};
       const Hit expected = brute.ClosestHit(ray, Infinite, MASK_ALL);
       hits += expected.primitive != None;
       EXPECT_EQ(PrimitiveHit(bvh, ray), expected.primitive) << size;
@@ -155,14 +155,14 @@ TEST(BadRays, NeverCrashAndHitNothing) {
     for (const float bad : {NaN, Inf, -Inf}) {
       for (int places = 1; places < 64; ++places) {
         // Any set of the six numbers
-        Ray ray{vec3(random.InCube()), vec3(random.Direction())};
+        Ray ray{vec3(random.InCube()), vec3(random.Direction()), 0};
         for (int i = 0; i < 6; ++i) {
           if (places >> i & 1) (i < 3 ? ray.o : ray.d)[i % 3] = bad;
         }
         EXPECT_EQ(PrimitiveHit(bvh, ray), None) << bad << " at " << places;
       }
     }
-    EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -9), vec3(0)}), None);
+    EXPECT_EQ(PrimitiveHit(bvh, {vec3(0, 0, -9), vec3(0), 0}), None);
   }
 }
 
@@ -170,7 +170,7 @@ TEST(Ranges, ThatAreEmptyHoldNoHit) {
   Soup soup;
   soup.AddTriangle(vec3(-1, -1, 0), vec3(1, -1, 0), vec3(0, 1, 0));
   Bvh bvh(soup.Geometry());
-  const Ray ray{vec3(0, 0, -2), vec3(0, 0, 1)};
+  const Ray ray{vec3(0, 0, -2), vec3(0, 0, 1), 0};
   EXPECT_EQ(PrimitiveHit(bvh, ray, 2.0f), 0u);
   for (const float tMax : {0.0f, -0.0f, -1.0f, -Inf, NaN, 1e-45f, 1.9999998f})
     EXPECT_EQ(PrimitiveHit(bvh, ray, tMax), None) << tMax;

@@ -6,6 +6,7 @@
 
 #include "bvh/instruction_set.h"
 #include "bvh/view.h"
+#include "kernel/motion.h"
 #include "kernel/shape.h"
 #include "kernel/transform.h"
 #include "kernel/triangle.h"
@@ -23,7 +24,7 @@ SIMD_FN Ray RayOf(Float4 o, Float4 d) {
   float start[4], direction[4];
   Store4(start, o);
   Store4(direction, d);
-  return {vec3(start[0], start[1], start[2]), vec3(direction[0], direction[1], direction[2])};
+  return {vec3(start[0], start[1], start[2]), vec3(direction[0], direction[1], direction[2]), 0};
 }
 
 }  // namespace snell::bvh::SNELL_ISA
@@ -101,6 +102,21 @@ SIMD_FN bool IntersectTriangles(const View& view, ChildRef leaf, const Ray& ray,
   return found;
 }
 
+// A ray in the space of an object that moves.
+SIMD_CALL Ray RayToMover(const View& view, std::uint32_t object, const Ray& ray) {
+  const kernel::Object& mover = view.objects[object];
+  const kernel::MotionMoment moment = kernel::MomentOf(ray.time, mover.motionSteps);
+  const kernel::MotionKey* key = view.motions + mover.motion + moment.step;
+  const kernel::Transform place = kernel::PlaceBetween(key[0], key[1], moment.share);
+  return kernel::ToLocalRay(place, ray.o, ray.d);
+}
+
+// Out of line, so that what stands still is as fast as without.
+SIMD_CALL float IntersectMovingShape(const View& view, const kernel::Shape& shape, const Ray& ray) {
+  const Ray local = RayToMover(view, shape.object, ray);
+  return kernel::IntersectShape(shape, local.o, local.d);
+}
+
 template <bool AnyHit>
 SIMD_FN bool IntersectShapes(const View& view, const std::uint32_t* items, std::uint32_t count,
                              const Ray& ray, std::uint32_t mask, Best& best) {
@@ -108,7 +124,9 @@ SIMD_FN bool IntersectShapes(const View& view, const std::uint32_t* items, std::
     const std::uint32_t index = items[i];
     const kernel::Shape& shape = view.shapes[index];
     if (!Sees(view, shape.object, mask)) continue;
-    const float t = kernel::IntersectShape(shape, ray.o, ray.d);
+    const bool moves = view.motions != nullptr && view.objects[shape.object].motion != None;
+    const float t = moves ? IntersectMovingShape(view, shape, ray)
+                          : kernel::IntersectShape(shape, ray.o, ray.d);
     if (!best.Accepts(t, kernel::INSTANCE_SHAPE, index)) continue;
     if (view.filter.accepts != nullptr &&
         !view.filter.accepts(view.filter.data, ray, {t, index, kernel::INSTANCE_SHAPE}))
@@ -189,6 +207,13 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
   for (std::uint32_t i = FirstOf(leaf); i < FirstOf(leaf) + CountOf(leaf); ++i) {
     const PlacedTree& placed = view.placed[i];
     if ((placed.mask & mask) == 0) continue;
+    if (placed.mover != None) {
+      const Ray local = RayToMover(view, placed.mover, ray);
+      if (TraverseChoosily<AnyHit>(view, view.trees[placed.tree], local, placed.instance, mask,
+                                   best))
+        return true;
+      continue;
+    }
     // As kernel::ToLocalRay does
     const float* map = placed.map;
     const Float4 x = Load4(map), y = Load4(map + 3), z = Load4(map + 6);

@@ -48,7 +48,8 @@ struct View {
   const kernel::Mesh* meshes = nullptr;
   const kernel::Shape* shapes = nullptr;
   const kernel::Instance* instances = nullptr;
-  const kernel::Object* objects = nullptr;  // none: everything is seen by every ray
+  const kernel::Object* objects = nullptr;     // none: everything is seen by every ray
+  const kernel::MotionKey* motions = nullptr;  // none: nothing moves
   HitFilter filter;
 };
 

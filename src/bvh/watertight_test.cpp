@@ -123,7 +123,7 @@ Ray RayThrough(Random& random, const TriangleMesh& mesh, vec3 inside) {
     const float tiny[] = {0.0f, -0.0f, 1e-45f, -1e-40f, 1e-37f, -1e-30f, 1e-20f};
     if (d[i] == 0) d[i] = tiny[random.Index(7)];
   }
-  return {o, d};
+  return {o, d, 0};
 }
 
 // How many of `count` rays through the body, put somewhere, any instruction set loses.

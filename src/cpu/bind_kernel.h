@@ -32,6 +32,7 @@ inline Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
           flat.emitters.data(),
           flat.albedos.data(),
           flat.lightNodes.data(),
+          flat.motions.data(),
           bvh};
 }
 

@@ -25,7 +25,7 @@ namespace snell::cpu {
 using namespace kernel;
 
 bvh::Geometry FlatScene::Geometry() {
-  return {positions, triangles, meshes, shapes, instances, objects, worldTriangles};
+  return {positions, triangles, meshes, shapes, instances, objects, worldTriangles, motions};
 }
 
 template <typename T>
@@ -61,7 +61,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                   const scene::Camera& camera) {
   FlatScene flat;
   flat.params = {};
-  FlattenCamera(camera, settings, flat.params);
+  FlattenCamera(camera, settings, flat);
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
@@ -92,7 +92,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
                  isPath                   ? ShadowRays::Path
                  : settings.tintedShadows ? ShadowRays::Tinted
                                           : ShadowRays::Opaque,
-                 flat);
+                 {camera.shutterOpen, camera.shutterClose}, flat);
   if (isPath) {
     FlattenEmitters(flat);
     FlattenLightTree(flat);
@@ -108,26 +108,26 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   for (const Object& object : flat.objects) {
     if ((object.mask & MASK_TINT) != 0) flat.params.tintedShadows = 1;
   }
+  const bvh::Geometry geometry = flat.Geometry();
   for (const Shape& shape : flat.shapes) {
     const bool hasInside = (flat.objects[shape.object].mask & MASK_INSIDE) != 0;
-    if (hasInside && MayStartIn(bvh::ShapeBounds(shape), flat.params.camera))
+    if (hasInside && MayStartIn(bvh::PlacedBounds(geometry, shape), flat))
       flat.params.camera.inside = 1;
   }
-  const bvh::Geometry geometry = flat.Geometry();
   std::vector<bvh::Bounds> worldMeshes(flat.meshes.size());
   for (uint i = 0; i < flat.worldTriangles; ++i)
     worldMeshes[flat.triangles[i].mesh].Extend(bvh::TriangleBounds(geometry, i));
   for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
     const uint object = flat.meshes[i].object;
     const bool hasInside = object != None && (flat.objects[object].mask & MASK_INSIDE) != 0;
-    if (hasInside && MayStartIn(worldMeshes[i], flat.params.camera)) flat.params.camera.inside = 1;
+    if (hasInside && MayStartIn(worldMeshes[i], flat)) flat.params.camera.inside = 1;
   }
   for (const Instance& instance : flat.instances) {
     if ((flat.objects[instance.object].mask & MASK_INSIDE) == 0) continue;
     bvh::Bounds local;
     for (uint i = 0; i < instance.triangleCount; ++i)
       local.Extend(bvh::TriangleBounds(geometry, instance.firstTriangle + i));
-    if (MayStartIn(bvh::TransformedBounds(instance.toWorld, local), flat.params.camera))
+    if (MayStartIn(bvh::PlacedBounds(geometry, instance, {&local, 1}), flat))
       flat.params.camera.inside = 1;
   }
   return flat;

@@ -39,6 +39,7 @@ struct FlatScene {
   std::vector<float> albedos;
   std::vector<kernel::LightNode> lightNodes;
   std::vector<std::uint32_t> surfaceLights;  // the scene's lights that the first objects are
+  std::vector<kernel::MotionKey> motions;    // of what moves while the shutter is open
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these
@@ -51,7 +52,8 @@ struct FlatScene {
     visit(objects), visit(shapes), visit(instances), visit(meshes), visit(triangles);
     visit(positions), visit(normals), visit(uvs), visit(tangents), visit(colors);
     visit(materials), visit(terms), visit(physicals), visit(lights), visit(albedos);
-    visit(emitters), visit(lightNodes), visit(textures), visit(images), visit(texels), visit(grids);
+    visit(emitters), visit(lightNodes), visit(motions), visit(textures), visit(images),
+        visit(texels), visit(grids);
   }
   std::uint64_t MemoryBytes() const;
   std::uint64_t TextureBytes() const;  // of these: textures and their pictures

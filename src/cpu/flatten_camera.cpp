@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 #include <numbers>
 
+#include "cpu/flatten_motion.h"
 #include "kernel/math.h"
 #include "scene/camera.h"
+#include "scene/motion.h"
 #include "scene/settings.h"
 
 namespace snell::cpu {
@@ -54,22 +56,27 @@ void FlattenCone(const scene::RenderSettings& settings, RenderParams& params) {
   params.coneSpread = isParallel ? 0 : pixel;
 }
 
+// The kernel's frames look ahead.
+MotionKey KeyOfFrame(const scene::Affine& frame) {
+  MotionKey key = KeyOfPlace(frame);
+  key.z = -key.z;
+  return key;
+}
+
 }  // namespace
 
 void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
-                   RenderParams& params) {
-  const glm::dvec3 position(camera.position);
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.lookAt) - position);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-  const glm::dvec3 up = glm::cross(right, forward);
+                   FlatScene& scene) {
+  const scene::Affine frame = scene::FrameAt(camera, camera.shutterOpen);
   const glm::dvec2 extent = scene::HalfExtent(camera, settings.width, settings.height);
-  Camera flat = {};
+  Camera& flat = scene.params.camera;
+  flat = {};
   flat.kind = KindOf(camera);
   flat.resolution = {uint(settings.width), uint(settings.height)};
-  flat.position = camera.position;
-  flat.right = vec3(right);
-  flat.up = vec3(up);
-  flat.forward = vec3(forward);
+  flat.position = vec3(glm::dvec3(frame[3]));
+  flat.right = vec3(glm::dvec3(frame[0]));
+  flat.up = vec3(glm::dvec3(frame[1]));
+  flat.forward = -vec3(glm::dvec3(frame[2]));
   flat.extent = vec2(extent);
   if (IsFlat(flat.kind)) flat.center = vec2(extent * 2.0 * glm::dvec2(camera.shift));
   if (flat.kind == CAMERA_PANORAMA) {
@@ -78,18 +85,24 @@ void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& set
   }
   flat.rim = float(scene::FisheyeDistance(camera.projection, double(camera.fov) / 2));
   FlattenLens(camera.lens, flat);
-  params.camera = flat;
-  FlattenCone(settings, params);
+  FlattenMotion(camera.motion, {camera.shutterOpen, camera.shutterClose}, KeyOfFrame, scene,
+                flat.motion, flat.motionSteps);
+  FlattenCone(settings, scene.params);
 }
 
-bool MayStartIn(const bvh::Bounds& box, const Camera& camera) {
-  bvh::Bounds starts;
-  starts.Extend(camera.position);
+bool MayStartIn(const bvh::Bounds& box, const FlatScene& flat) {
+  const Camera& camera = flat.params.camera;
   vec2 beside = camera.aperture;
   if (camera.kind == CAMERA_ORTHOGRAPHIC) beside += glm::abs(camera.center) + camera.extent * 1.1f;
-  if (beside != vec2(0.0f)) {
-    const vec3 reach = Abs(camera.right) * beside.x + Abs(camera.up) * beside.y;
-    starts = {camera.position - reach, camera.position + reach};
+  bvh::Bounds starts;
+  const auto extend = [&](vec3 position, vec3 right, vec3 up) {
+    const vec3 reach = Abs(right) * beside.x + Abs(up) * beside.y;
+    starts.Extend(bvh::Bounds{position - reach, position + reach});
+  };
+  extend(camera.position, camera.right, camera.up);
+  for (uint i = 0; camera.motion != None && i <= camera.motionSteps; ++i) {
+    const MotionKey& key = flat.motions[camera.motion + i];
+    extend(key.origin, key.x, key.y);
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;

@@ -4,16 +4,16 @@
 #pragma once
 
 #include "bvh/bounds.h"
-#include "kernel/types.h"
+#include "cpu/flatten.h"
 #include "scene/scene.h"
 
 namespace snell::cpu {
 
 // Set the camera and the cone of its rays.
 void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
-                   kernel::RenderParams& params);
+                   FlatScene& flat);
 
-// Whether a ray of the camera may start in the box.
-bool MayStartIn(const bvh::Bounds& box, const kernel::Camera& camera);
+// Whether a ray of the flattened camera may start in the box.
+bool MayStartIn(const bvh::Bounds& box, const FlatScene& flat);
 
 }  // namespace snell::cpu

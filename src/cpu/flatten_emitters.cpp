@@ -41,16 +41,18 @@ void AddTriangles(uint object, uint instance, uint first, uint count, FlatScene&
   flat.objects[object].emitters = uint(begin) - first;
   flat.emitters.resize(begin + count);
   const Transform* toWorld = instance == None ? nullptr : &flat.instances[instance].toWorld;
+  const bool moves = flat.objects[object].motion != None;
   tbb::parallel_for(tbb::blocked_range<uint>(0, count, 4096), [&](const auto& part) {
     for (uint i = part.begin(); i < part.end(); ++i)
       flat.emitters[begin + i] = {first + i, instance, None,
-                                  AreaOf(flat, flat.triangles[first + i], toWorld)};
+                                  moves ? 0 : AreaOf(flat, flat.triangles[first + i], toWorld)};
   });
 }
 
 }  // namespace
 
 void FlattenEmitters(FlatScene& flat) {
+  // What moves is not sampled: it has no area
   // Those of one mesh follow each other
   for (uint first = 0, last = 0; first < flat.worldTriangles; first = last) {
     const uint mesh = flat.triangles[first].mesh;
@@ -67,7 +69,8 @@ void FlattenEmitters(FlatScene& flat) {
     const Shape& shape = flat.shapes[i];
     if (!Glows(flat, shape.object)) continue;
     flat.objects[shape.object].emitters = uint(flat.emitters.size()) - i;
-    flat.emitters.push_back({i, INSTANCE_SHAPE, None, AreaOf(shape)});
+    const bool moves = flat.objects[shape.object].motion != None;
+    flat.emitters.push_back({i, INSTANCE_SHAPE, None, moves ? 0 : AreaOf(shape)});
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "kernel/math.h"
 #include "kernel/microfacet.h"
+#include "scene/motion.h"
 #include "util/check.h"
 
 namespace snell::cpu {
@@ -209,27 +210,33 @@ Shape FlattenShape(const scene::Geometry& geometry, const Affine& toWorld, uint 
 }
 
 void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
-                    ShadowRays shadowRays, FlatScene& flat) {
+                    ShadowRays shadowRays, const Shutter& shutter, FlatScene& flat) {
   const uint firstObject = uint(flat.objects.size());
   // Make the records of the objects and count how often each mesh is used
   std::vector<uint> uses(scene.meshes.size() + finer.meshes.size(), 0);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
     const scene::Material& material = scene.materials.at(std::size_t(object.material));
-    flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None,
-                            ToTransform(object.toWorld), 0});
-    if (finer.meshOf[i] >= 0) ++uses[std::size_t(finer.meshOf[i])];
+    flat.objects.push_back({uint(object.material), MaskOf(object, material, shadowRays), None, None,
+                            0, ToTransform(scene::ToWorldAt(object, shutter.open)), 0});
+    Object& record = flat.objects.back();
+    FlattenMotion(object.motion, shutter, KeyOfPlace, flat, record.motion, record.motionSteps);
+    // What moves is an instance even if it is alone
+    if (finer.meshOf[i] >= 0) uses[std::size_t(finer.meshOf[i])] += record.motion == None ? 1 : 2;
   }
 
   // Shapes, and meshes used once, which go to world space: these triangles come first
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
+    const Affine toWorld = scene::ToWorldAt(object, shutter.open);
     if (finer.meshOf[i] < 0) {
-      Shape shape = FlattenShape(object.geometry, object.toWorld, firstObject + uint(i));
+      const uint index = firstObject + uint(i);
+      const bool moves = flat.objects[index].motion != None;
+      Shape shape = FlattenShape(object.geometry, moves ? Affine(1.0) : toWorld, index);
       shape.mapped = IsMapped(scene, scene.materials[std::size_t(object.material)]) ? 1 : 0;
       flat.shapes.push_back(shape);
     } else if (uses[std::size_t(finer.meshOf[i])] == 1) {
-      AppendMesh(finer.MeshOf(scene, i), &object.toWorld, firstObject + uint(i), flat);
+      AppendMesh(finer.MeshOf(scene, i), &toWorld, firstObject + uint(i), flat);
     }
   }
   flat.worldTriangles = std::uint32_t(flat.triangles.size());
@@ -237,13 +244,12 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
   // Meshes used more often, and their instances
   std::vector<uint> firstTriangle(uses.size(), None);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const scene::Object& object = scene.objects[i];
     if (finer.meshOf[i] < 0 || uses[std::size_t(finer.meshOf[i])] < 2) continue;
     const scene::Mesh& mesh = finer.MeshOf(scene, i);
     uint& first = firstTriangle[std::size_t(finer.meshOf[i])];
     if (first == None) first = AppendMesh(mesh, nullptr, None, flat);
     flat.instances.push_back({firstObject + uint(i), 0, first, uint(mesh.triangles.size()),
-                              ToTransform(object.toWorld)});
+                              flat.objects[firstObject + uint(i)].toWorld});
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cpu/flatten.h"
+#include "cpu/flatten_motion.h"
 #include "tessellate/tessellate.h"
 
 namespace snell::cpu {
@@ -15,7 +16,7 @@ namespace snell::cpu {
 enum class ShadowRays { Opaque, Tinted, Path };
 
 void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
-                    ShadowRays shadowRays, FlatScene& flat);
+                    ShadowRays shadowRays, const Shutter& shutter, FlatScene& flat);
 
 // Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
 // Returns the index of its first triangle.

@@ -340,8 +340,8 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint object = uint(flat.objects.size());
     flat.surfaceLights.push_back(std::uint32_t(&light - scene.lights.data()));
-    flat.objects.push_back(
-        {lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, ToTransform(scene::Affine(1.0)), 0});
+    flat.objects.push_back({lightMaterial, MASK_CAMERA | MASK_SECONDARY, index, None, 0,
+                            ToTransform(scene::Affine(1.0)), 0});
     AppendSurface(light, object, flat);
   }
   flat.params.lightCount = uint(flat.lights.size());

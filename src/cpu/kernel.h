@@ -36,6 +36,7 @@ struct Kernel {
   const Emitter* emitters;
   const float* albedos;
   const LightNode* lightNodes;
+  const MotionKey* motions;
   const bvh::Bvh& bvh;
   WhittedBranch* branches = nullptr;  // WhittedStackSize places of the thread
   AovSample* aovs = nullptr;          // its record
@@ -54,6 +55,7 @@ struct Kernel {
 #include "kernel/path_wavelength.h"
 #include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_camera.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
@@ -62,6 +64,7 @@ struct Kernel {
 #include "kernel/scene_image.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"

@@ -33,6 +33,7 @@ struct ReadOptions {
 
   // Of glTF files
   std::optional<double> time = {};  // seconds, of animations; without it everything is at rest
+  double duration = 0;              // seconds from then on, in which what is animated moves
   std::string scene = {};           // by name; empty: the file's default
   std::string variant = {};         // of the materials; empty: the default ones
 

@@ -66,6 +66,7 @@ FN CameraRay GenerateRay(IN(Camera) camera, vec2 pixel, vec2 u) {
   CameraRay start;
   start.weight = 1.0f;
   start.ray.o = camera.position;
+  start.ray.time = 0.0f;
   if (camera.kind == CAMERA_PINHOLE || camera.kind == CAMERA_ORTHOGRAPHIC) {
     vec3 d = camera.forward;
     if (camera.kind == CAMERA_ORTHOGRAPHIC) {

@@ -23,7 +23,9 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   vec2 place = vec2(float(pixel.x), float(pixel.y)) + vec2(0.5f, 0.5f) + offset;
   vec2 lens = vec2(0.0f, 0.0f);
   if (HasLens(params.camera)) lens = PathSample2D(s);
-  CameraRay start = GenerateRay(params.camera, place, lens);
+  float time = 0.0f;
+  if (params.moving == 1u) time = PathSample2D(s).x;
+  CameraRay start = CameraRayAt(place, lens, time);
   s.ray = start.ray;
   AovBegin(s.ray);
   s.beta = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;

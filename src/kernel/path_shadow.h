@@ -23,6 +23,7 @@ SCENE_FN Spectrum PathTransmittance(INOUT(PathState) s, vec3 start, vec3 wi, flo
   Ray ray;
   ray.o = start;
   ray.d = wi;
+  ray.time = s.ray.time;
   if (AnyHit(ray, distance, MASK_SHADOW)) return Spectrum(0.0f, 0.0f, 0.0f);
   if (params.tintedShadows == 0u) return UnscatteredShare(s, mediaAtStart, ray, distance);
 

@@ -24,6 +24,7 @@ struct SurfaceInteraction {
   vec2 uv;
   vec2 uv1;         // the second coordinates
   float uvDensity;  // how far uv changes in a metre, about
+  float time;       // as the ray's
   float footprint;  // diameter of what the ray sees of the surface, in metres
   Spectrum color;   // of the vertices
   float alpha;

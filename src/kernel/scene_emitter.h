@@ -34,6 +34,7 @@ SCENE_FN SurfaceInteraction SampleEmitter(IN(Emitter) emitter, vec3 from, vec2 u
                                           OUT(float) reach) {
   SurfaceInteraction it;
   ray.o = from;
+  ray.time = 0.0f;  // what is sampled stands still
   if (emitter.instance == INSTANCE_SHAPE && shapes[emitter.primitive].kind == SHAPE_SPHERE) {
     LET(Shape) sphere = shapes[emitter.primitive];
     float solidAngle;
@@ -64,7 +65,7 @@ SCENE_FN SurfaceInteraction SampleEmitter(IN(Emitter) emitter, vec3 from, vec2 u
     th.b0 = 1.0f - b.x - b.y;
     th.b1 = b.x;
     th.b2 = b.y;
-    it = TriangleSurfaceAt(hit, th);
+    it = TriangleSurfaceAt(hit, th, ray.time);
   }
   reach = DistanceToLight(from, point, it.n, ray.d, distance);
   return it;

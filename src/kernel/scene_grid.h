@@ -16,8 +16,7 @@ struct GridRay {
 };
 
 SCENE_FN GridRay ToGrid(IN(Grid) grid, uint object, IN(Ray) ray, float distance) {
-  LET(Object) placed = objects[object];
-  Ray local = ToLocalRay(placed.toWorld, ray.o, ray.d);
+  Ray local = ToLocalRay(ObjectAt(object, ray.time), ray.o, ray.d);
   local = ToLocalRay(grid.toObject, local.o, local.d);
   GridRay g;
   g.o = local.o;

@@ -42,10 +42,11 @@ SCENE_FN Spectrum StraightTransmittance(IN(SurfaceInteraction) it, vec3 wi,
 // The share of light that arrives at `start` from the direction wi, from as far as `distance`. `media` is
 // what surrounds the start.
 SCENE_FN Spectrum LightTransmittance(vec3 start, vec3 wi, float distance,
-                                     IN(MediumStack) mediaAtStart) {
+                                     IN(MediumStack) mediaAtStart, float time) {
   Ray ray;
   ray.o = start;
   ray.d = wi;
+  ray.time = time;
   if (AnyHit(ray, distance, MASK_SHADOW)) return Spectrum(0.0f, 0.0f, 0.0f);
   if (params.tintedShadows == 0u) return Spectrum(1.0f, 1.0f, 1.0f);
 

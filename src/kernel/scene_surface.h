@@ -5,11 +5,13 @@
 #ifndef SNELL_KERNEL_SCENE_SURFACE_H
 #define SNELL_KERNEL_SCENE_SURFACE_H
 
-// The surface of a triangle at given barycentric coordinates.
-SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th) {
+// The surface of a triangle at given barycentric coordinates, at a moment.
+SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, float time) {
   LET(Triangle) triangle = triangles[hit.primitive];
   LET(Mesh) mesh = meshes[triangle.mesh];
   bool instanced = hit.instance != None;
+  Transform place;
+  if (instanced) place = InstanceAt(hit.instance, time);
   vec3 p0 = positions[triangle.v0];
   vec3 p1 = positions[triangle.v1];
   vec3 p2 = positions[triangle.v2];
@@ -26,11 +28,11 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th) {
   // Keep as far from edges as rounding may move a ray's start
   vec3 reach = it.pError;
   if (instanced) {
-    LET(Instance) placed = instances[hit.instance];
-    vec3 world = ToWorldPoint(placed.toWorld, it.p);
-    vec3 error = ToWorldPointError(placed.toWorld, it.p, it.pError, world);
-    reach = vec3(Dot(Abs(placed.toWorld.rowX), error), Dot(Abs(placed.toWorld.rowY), error),
-                 Dot(Abs(placed.toWorld.rowZ), error));
+    vec3 world = ToWorldPoint(place, it.p);
+    vec3 error = ToWorldPointError(place, it.p, it.pError, world);
+    if (IsMoving(instances[hit.instance].object)) error += InverseError(place, world);
+    reach =
+        vec3(Dot(Abs(place.rowX), error), Dot(Abs(place.rowY), error), Dot(Abs(place.rowZ), error));
   }
   vec3 inset = InsetTrianglePoint(vec3(th.b0, th.b1, th.b2), p0, p1, p2,
                                   4.0f * (reach.x + reach.y + reach.z));
@@ -92,21 +94,22 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th) {
     LET(Instance) instance = instances[hit.instance];
     vec3 local = it.p;
     it.object = instance.object;
-    it.p = ToWorldPoint(instance.toWorld, local);
-    vec3 n = ToWorldNormal(instance.toWorld, it.n);
+    it.p = ToWorldPoint(place, local);
+    vec3 n = ToWorldNormal(place, it.n);
     float nLength = Length(n);
-    it.pError = ToWorldPointError(instance.toWorld, local, it.pError, it.p) +
-                Abs(n) * (ToLocalError(instance.toWorld, it.p, it.n, nLength) / nLength);
+    it.pError = ToWorldPointError(place, local, it.pError, it.p) +
+                Abs(n) * (ToLocalError(place, it.p, it.n, nLength) / nLength);
+    if (IsMoving(instance.object)) it.pError += InverseError(place, it.p);
     it.n = n;
-    it.ns = ToWorldNormal(instance.toWorld, it.ns);
-    it.dpdu = ToWorldVector(instance.toWorld, it.dpdu);
-    it.dpdv = ToWorldVector(instance.toWorld, it.dpdv);
-    it.tangent = ToWorldVector(instance.toWorld, it.tangent);
-    if (Dot(Cross(instance.toWorld.x, instance.toWorld.y), instance.toWorld.z) < 0.0f)
-      it.handedness = -it.handedness;
-    areaVector = Cross(ToWorldVector(instance.toWorld, e1), ToWorldVector(instance.toWorld, e2));
+    it.ns = ToWorldNormal(place, it.ns);
+    it.dpdu = ToWorldVector(place, it.dpdu);
+    it.dpdv = ToWorldVector(place, it.dpdv);
+    it.tangent = ToWorldVector(place, it.tangent);
+    if (Dot(Cross(place.x, place.y), place.z) < 0.0f) it.handedness = -it.handedness;
+    areaVector = Cross(ToWorldVector(place, e1), ToWorldVector(place, e2));
   }
   it.uvDensity = sqrt(uvArea / Max(Length(areaVector), 1e-30f));
+  it.time = time;
   it.footprint = 0.0f;
   it.n = Normalize(it.n);
   it.ns = Normalize(it.ns);
@@ -118,14 +121,21 @@ SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   LET(Triangle) triangle = triangles[hit.primitive];
   Ray ray = worldRay;
   if (hit.instance != None)
-    ray = ToLocalRay(instances[hit.instance].toWorld, worldRay.o, worldRay.d);
-  return TriangleSurfaceAt(hit, IntersectTriangle(Shear(ray.o, ray.d), positions[triangle.v0],
-                                                  positions[triangle.v1], positions[triangle.v2]));
+    ray = ToLocalRay(InstanceAt(hit.instance, worldRay.time), worldRay.o, worldRay.d);
+  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), positions[triangle.v0],
+                                     positions[triangle.v1], positions[triangle.v2]);
+  return TriangleSurfaceAt(hit, th, worldRay.time);
 }
 
 // The surface of an analytic shape where a ray meets it at t.
 SCENE_FN SurfaceInteraction ShapeSurfaceAt(IN(Shape) shape, IN(Ray) ray, float t) {
-  SurfaceInteraction it = ShapeSurface(shape, ray.o, ray.d, t);
+  SurfaceInteraction it;
+  if (IsMoving(shape.object)) {
+    it = MovingShapeSurface(shape, ray, t);
+  } else {
+    it = ShapeSurface(shape, ray.o, ray.d, t);
+  }
+  it.time = ray.time;
   it.dpdv = Cross(it.ns, it.dpdu);
   it.tangent = it.dpdu;
   it.handedness = 1.0f;
@@ -140,7 +150,8 @@ SCENE_FN SurfaceInteraction ShapeSurfaceAt(IN(Shape) shape, IN(Ray) ray, float t
 SCENE_FN SurfaceInteraction SurfaceAt(IN(Hit) hit, IN(Ray) ray) {
   if (hit.instance != INSTANCE_SHAPE) return TriangleSurface(hit, ray);
   LET(Shape) shape = shapes[hit.primitive];
-  return ShapeSurfaceAt(shape, ray, IntersectShape(shape, ray.o, ray.d));
+  Ray local = ShapeRay(shape, ray);
+  return ShapeSurfaceAt(shape, ray, IntersectShape(shape, local.o, local.d));
 }
 
 #endif

@@ -25,9 +25,9 @@ SCENE_FN bool LiftToSmoothSurface(IN(Hit) hit, IN(SurfaceInteraction) it, vec3 n
     corners[k] = positions[vertex];
     cornerNormals[k] = normals[vertex + mesh.normals];
     if (hit.instance != None) {
-      LET(Instance) instance = instances[hit.instance];
-      corners[k] = ToWorldPoint(instance.toWorld, corners[k]);
-      cornerNormals[k] = ToWorldNormal(instance.toWorld, cornerNormals[k]);
+      Transform place = InstanceAt(hit.instance, it.time);
+      corners[k] = ToWorldPoint(place, corners[k]);
+      cornerNormals[k] = ToWorldNormal(place, cornerNormals[k]);
     }
     float size = Length(cornerNormals[k]);
     if (size == 0.0f) return false;
@@ -53,6 +53,7 @@ SCENE_FN bool LiftToSmoothSurface(IN(Hit) hit, IN(SurfaceInteraction) it, vec3 n
   Ray way;
   way.o = OffsetRayOrigin(it.p, it.pError, n, n);
   way.d = lift;
+  way.time = it.time;
   if (AnyHit(way, 2.0f, MASK_SHADOW | MASK_TINT)) return false;
   start = way.o + lift;
   return true;

@@ -6,7 +6,7 @@
 
 SCENE_FN vec4 EvalTextureAt(IN(Texture) texture, IN(SurfaceInteraction) it, vec2 uv) {
   vec3 p = vec3(uv.x, uv.y, 0.0f);
-  if (texture.space == SPACE_OBJECT) p = ToLocalPoint(objects[it.object].toWorld, it.p);
+  if (texture.space == SPACE_OBJECT) p = ToLocalPoint(ObjectAt(it.object, it.time), it.p);
   if (texture.space == SPACE_WORLD) p = it.p;
   vec3 q = ToLocalPoint(texture.toSpace, p);
   if (texture.kind == TEXTURE_IMAGE)

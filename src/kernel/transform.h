@@ -26,6 +26,7 @@ FN Ray ToLocalRay(IN(Transform) m, vec3 o, vec3 d) {
   Ray ray;
   ray.o = ToLocalPoint(m, o);
   ray.d = ToLocalVector(m, d);
+  ray.time = 0.0f;
   return ray;
 }
 

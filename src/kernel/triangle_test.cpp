@@ -191,7 +191,7 @@ TEST(SpawnedRays, NeverHitTheirOwnTriangle) {
     const Hit hit = scene.Closest(o, d);
     if (hit.primitive == None) continue;
     ++trials;
-    const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d});
+    const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d, 0});
     for (const double side2 : {1.0, -1.0}) {
       const vec3 w(random.DirectionAbove(dvec3(it.n)) * side2);
       const vec3 start = OffsetRayOrigin(it.p, it.pError, it.n, w);
@@ -219,7 +219,7 @@ TEST(SpawnedRays, DoNotHitAFlatMeshThatTheyLeave) {
       const vec3 d = Normalize(vec3(target - dvec3(o)));
       const Hit hit = scene.Closest(o, d);
       if (hit.primitive == None) continue;
-      const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d});
+      const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d, 0});
       const double side = random.Chance(0.5) ? 1 : -1;
       const dvec3 flat = glm::normalize(glm::cross(random.Direction(), n));
       const double rise = random.Chance(0.5) ? random.LogUniform(1e-4, 1) : random.Uniform(0.1, 10);
@@ -249,7 +249,7 @@ TEST(SpawnedRays, LeaveConvexMeshesOrFindTheirExit) {
         const vec3 d = Normalize(vec3(PointOn(random, mesh)) - o);
         const Hit hit = scene.Closest(o, d);
         ASSERT_NE(hit.primitive, None);
-        const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d});
+        const SurfaceInteraction it = scene.kernel.SurfaceAt(hit, {o, d, 0});
         ++trials;
         const vec3 out(random.DirectionAbove(dvec3(it.n)));
         vec3 start = OffsetRayOrigin(it.p, it.pError, it.n, out);

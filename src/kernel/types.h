@@ -24,7 +24,17 @@ struct Transform {
 
 struct Ray {
   vec3 o;
-  vec3 d;  // need not have unit length
+  vec3 d;      // need not have unit length
+  float time;  // when it looks: 0 as the shutter opens, 1 as it closes
+};
+
+// Where something is at one of several moments that follow each other evenly while the shutter is open: the columns of
+// an affine map. In between, the map changes linearly. Of a camera: right, up, forward and its position.
+struct MotionKey {
+  vec3 x;
+  vec3 y;
+  vec3 z;
+  vec3 origin;
 };
 
 // Which rays see an object; bits of Object::mask.
@@ -39,7 +49,9 @@ CONST uint MASK_ALL = 31u;
 struct Object {
   uint material;
   uint mask;
-  uint light;  // the area light that this surface is, or None
+  uint light;        // the area light that this surface is, or None
+  uint motion;       // its first key, whose maps take the place of toWorld; None: it stands still
+  uint motionSteps;  // between keys
   Transform toWorld;
   uint emitters;  // if it glows: this and a primitive's index give its emitter
 };
@@ -54,7 +66,7 @@ CONST uint SHAPE_FRUSTUM = 6u;  // around +y, radius a at y = 0 and b at y = c; 
 CONST uint SHAPE_TUBE = 7u;     // a frustum without the disks
 CONST uint SHAPE_TORUS = 8u;    // around +y, radius a to the middle of a tube of radius b
 
-// An analytic shape in its own space.
+// An analytic shape in its own space. If its object moves, `toWorld` leads to the object's space only.
 struct Shape {
   uint kind;
   uint object;
@@ -82,7 +94,7 @@ struct Mesh {
   uint colors;
 };
 
-// A mesh in its own space, placed in the world.
+// A mesh in its own space, placed in the world; if its object moves, by the object's motion.
 struct Instance {
   uint object;
   uint root;  // of the mesh in the device's search structure
@@ -411,6 +423,8 @@ struct Camera {
   float focus;       // distance along `forward` of the plane that is sharp, metres
   uint blades;       // corners of the aperture, on the ellipse; 0: it is round
   float bladeAngle;  // of its first corner from `right`, radians
+  uint motion;       // its first key; None: it stands still
+  uint motionSteps;
 };
 
 // Entries of the pixel filter's quantile function: 32 to the octave from 2⁻²⁴ to ½, and one more.
@@ -429,6 +443,7 @@ struct RenderParams {
   uint lightSampling;     // how the path tracer chooses among the tree's sources
   uint tintedShadows;     // 1: some object is marked MASK_TINT
   uint maxDepth;          // 1: only rays from the camera
+  uint moving;            // 1: something moves while the shutter is open
   uint maxVolumeDepth;    // scatterings in media along a path
   Medium surroundings;    // around all objects; only the path tracer shows it
   float minContribution;  // branches that can add less than this are cut

@@ -18,6 +18,7 @@
 #include "kernel/light.h"
 #include "kernel/light_tree.h"
 #include "kernel/medium.h"
+#include "kernel/motion.h"
 #include "kernel/path_state.h"
 #include "kernel/path_vertex.h"
 #include "kernel/pattern.h"

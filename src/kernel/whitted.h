@@ -29,7 +29,12 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
     lens = Sobol2D(sampleIndex, HashCombine(s.seed, s.dimension));
     s.dimension += 1u;
   }
-  CameraRay start = GenerateRay(params.camera, place, lens);
+  float time = 0.0f;
+  if (params.moving == 1u) {
+    time = Sobol2D(sampleIndex, HashCombine(s.seed, s.dimension)).x;
+    s.dimension += 1u;
+  }
+  CameraRay start = CameraRayAt(place, lens, time);
   s.branch.ray = start.ray;
   s.branch.weight = Spectrum(1.0f, 1.0f, 1.0f) * start.weight;
   s.branch.depth = 1u;
@@ -132,7 +137,7 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
       vec3 start = OffsetRayOrigin(it.p, it.pError, n, n);
       if (!faces && !LiftToSmoothSurface(hit, it, n, start)) continue;
       s.rays.shadow += 1u;
-      sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media);
+      sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media, it.time);
     }
     Spectrum lit = sum * (1.0f / float(sampleCount));
     L += lit;

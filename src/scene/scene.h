@@ -141,12 +141,21 @@ struct Mesh {
   std::vector<Crease> creases;
 };
 
+// Where something is at a moment of the scene's time, in seconds.
+struct MotionKey {
+  double time = 0;
+  Affine place{1.0};
+};
+// By rising time; none: it stands still. Before the first and after the last key it rests. motion.h interpolates.
+using Motion = std::vector<MotionKey>;
+
 // One thing in the world. Objects that share a mesh are instances of it.
 struct Object {
   std::string name;
   Geometry geometry;
   MaterialIndex material = -1;
-  Affine toWorld{1.0};
+  Affine toWorld{1.0};      // where it stands, or begins to move
+  Motion motion;            // takes the place of toWorld while the shutter is open
   Subdivision subdivision;  // of meshes
   bool visibleToCamera = true;
   bool visibleToSecondary = true;  // in mirrors and through glass
@@ -194,6 +203,10 @@ struct Camera {
   bool fullFrame =
       false;  // fisheye: its circle goes through the corners; else it touches the longer sides
   Lens lens;
+  double shutterOpen = 0;  // seconds of the scene's time
+  double shutterClose = 0;
+  Motion
+      motion;  // of its frame: x to the right, y up, z backwards; takes the place of position, lookAt and up
 };
 
 // What is seen behind everything, and the index of refraction of the space around the objects.

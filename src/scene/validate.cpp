@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/motion.h"
+
 namespace snell::scene {
 
 namespace {
@@ -136,8 +138,22 @@ class Checker {
     Require(Finite(lens.radius) && lens.radius >= 0 && lens.blades >= 0 && lens.blades != 1 &&
                 lens.blades != 2 && Finite(lens.bladeRotation) && Positive(lens.ratio),
             bad("needs an aperture that is round or has three blades or more"));
+    CheckMotion(camera.motion, bad("needs motion that rises in time and keeps its frame"), {});
+    Require(std::isfinite(camera.shutterOpen) && std::isfinite(camera.shutterClose) &&
+                camera.shutterOpen <= camera.shutterClose,
+            bad("needs a shutter that closes after it opens"));
     Require(lens.radius == 0 || Positive(lens.focusDistance),
             bad("needs a positive distance of focus"));
+  }
+
+  void CheckMotion(const Motion& motion, const std::string& message, const Place& place) {
+    if (motion.empty()) return;
+    bool sound = true;
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+      sound = sound && std::isfinite(motion[i].time) && Invertible(motion[i].place) &&
+              (i == 0 || motion[i - 1].time < motion[i].time);
+    }
+    Require(sound && KeepsHandedness(motion), message, place);
   }
 
   void CheckLight(const Light& light) {
@@ -317,6 +333,8 @@ class Checker {
     Require(object.material >= 0 && object.material < int(scene_.materials.size()),
             bad("has no material"), object.place);
     Require(Invertible(object.toWorld), bad("has a singular transform"), object.place);
+    CheckMotion(object.motion, bad("needs motion by invertible maps that rises in time"),
+                object.place);
     const Subdivision& subdivision = object.subdivision;
     Require(subdivision.levels >= 0 && subdivision.levels <= 10 && Sound(subdivision.target),
             bad("needs 0 to 10 levels of subdivision"), object.place);

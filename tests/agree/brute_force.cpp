@@ -65,6 +65,7 @@ struct BruteForceKernel {
   const Emitter* emitters;
   const float* albedos;
   const LightNode* lightNodes;
+  const MotionKey* motions;
   WhittedBranch branches[WhittedStackSize];
   AovSample aovs[1];
 
@@ -77,6 +78,7 @@ struct BruteForceKernel {
 #include "kernel/path_wavelength.h"
 #include "kernel/scene_aov.h"
 #include "kernel/scene_bsdf.h"
+#include "kernel/scene_camera.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
@@ -85,6 +87,7 @@ struct BruteForceKernel {
 #include "kernel/scene_image.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
+#include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
@@ -145,6 +148,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
                           scene.emitters.data(),
                           scene.albedos.data(),
                           scene.lightNodes.data(),
+                          scene.motions.data(),
                           {},
                           {}};
   const uvec2 resolution = scene.params.camera.resolution;

@@ -207,7 +207,8 @@ TEST(Coverage, EmittersAndTheLightTree) {
 }
 
 TEST(Coverage, CamerasAndSurroundings) {
-  std::set<uint> cameras, inside, tinted, lenses, blades;
+  std::set<uint> cameras, inside, tinted, lenses, blades, movingShapes;
+  bool movingInstances = false, movingCameras = false;
   bool ambient = false, gradient = false, under = false;
   for (const FlatScene& flat : FlatScenes()) {
     const RenderParams& params = flat.params;
@@ -217,12 +218,19 @@ TEST(Coverage, CamerasAndSurroundings) {
       lenses.insert(params.camera.kind);
       blades.insert(params.camera.blades == 0 ? 0 : 1);
     }
+    for (const Shape& shape : flat.shapes)
+      if (flat.objects[shape.object].motion != None) movingShapes.insert(shape.kind);
+    for (const Instance& instance : flat.instances)
+      movingInstances = movingInstances || flat.objects[instance.object].motion != None;
+    movingCameras = movingCameras || params.camera.motion != None;
     tinted.insert(params.tintedShadows);
     ambient = ambient || params.ambient.x > 0;
     gradient = gradient || params.environment.bottom != params.environment.top;
     under = under || params.environment.ior > 1;
   }
   EXPECT_EQ(cameras, TagsTo(CAMERA_STEREOGRAPHIC));
+  EXPECT_EQ(movingShapes.size(), 8u) << "all shapes but ellipsoids, which are spheres on the move";
+  EXPECT_TRUE(movingInstances && movingCameras);
   EXPECT_EQ(lenses, TagsTo(CAMERA_ORTHOGRAPHIC));
   EXPECT_EQ(blades, TagsTo(1)) << "round apertures and others";
   EXPECT_EQ(inside, TagsTo(CAMERA_ORTHOGRAPHIC)) << "cameras within glass";

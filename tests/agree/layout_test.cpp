@@ -80,7 +80,12 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Object",
        {sizeof(Object),
         {MEMBER(Object, material), MEMBER(Object, mask), MEMBER(Object, light),
-         MEMBER(Object, toWorld), MEMBER(Object, emitters)}}},
+         MEMBER(Object, motion), MEMBER(Object, motionSteps), MEMBER(Object, toWorld),
+         MEMBER(Object, emitters)}}},
+      {"MotionKey",
+       {sizeof(MotionKey),
+        {MEMBER(MotionKey, x), MEMBER(MotionKey, y), MEMBER(MotionKey, z),
+         MEMBER(MotionKey, origin)}}},
       {"Shape",
        {sizeof(Shape),
         {MEMBER(Shape, kind), MEMBER(Shape, object), MEMBER(Shape, mapped), MEMBER(Shape, a),
@@ -203,7 +208,8 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Camera, position), MEMBER(Camera, right), MEMBER(Camera, up),
          MEMBER(Camera, forward), MEMBER(Camera, extent), MEMBER(Camera, center),
          MEMBER(Camera, rim), MEMBER(Camera, aperture), MEMBER(Camera, focus),
-         MEMBER(Camera, blades), MEMBER(Camera, bladeAngle)}}},
+         MEMBER(Camera, blades), MEMBER(Camera, bladeAngle), MEMBER(Camera, motion),
+         MEMBER(Camera, motionSteps)}}},
       {"RenderParams",
        {sizeof(RenderParams),
         {MEMBER(RenderParams, camera),
@@ -217,6 +223,7 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(RenderParams, lightSampling),
          MEMBER(RenderParams, tintedShadows),
          MEMBER(RenderParams, maxDepth),
+         MEMBER(RenderParams, moving),
          MEMBER(RenderParams, maxVolumeDepth),
          MEMBER(RenderParams, surroundings),
          MEMBER(RenderParams, minContribution),
@@ -277,7 +284,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 19u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 20u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

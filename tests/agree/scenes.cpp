@@ -8,7 +8,7 @@ namespace snell::agree {
 std::vector<scene::Scene> AllScenes() {
   std::vector<scene::Scene> scenes;
   for (const auto family : {ScenesOfShapes, ScenesOfLights, ScenesOfMaterials, ScenesOfPictures,
-                            ScenesOfGlass, ScenesOfMedia, ScenesOfCameras}) {
+                            ScenesOfGlass, ScenesOfMedia, ScenesOfCameras, ScenesOfMotion}) {
     for (scene::Scene& scene : family()) scenes.push_back(std::move(scene));
   }
   return scenes;

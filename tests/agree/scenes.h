@@ -20,6 +20,7 @@ std::vector<scene::Scene> ScenesOfMaterials();
 std::vector<scene::Scene> ScenesOfPictures();
 std::vector<scene::Scene> ScenesOfGlass();
 std::vector<scene::Scene> ScenesOfCameras();
+std::vector<scene::Scene> ScenesOfMotion();
 std::vector<scene::Scene> ScenesOfMedia();
 
 // All of them.

@@ -34,7 +34,7 @@ TEST(Lens, BlursAPointIntoItsCircleOfConfusion) {
   const double pixel = 2 * std::tan(15 * Pi / 180) / Size;
   for (const auto& [z, f] : {std::pair{4.0, 2.0}, {2.0, 4.0}, {3.0, 1e6}}) {
     const double lens = 13 * pixel / std::abs(1 / z - 1 / f);
-    const double disk = 0.2 * pixel * z;
+    const double disk = pixel * z;
     for (const char* integrator : {"whitted", "path"}) {
       std::string scene =
           Camera(Size, Size,
@@ -45,26 +45,31 @@ TEST(Lens, BlursAPointIntoItsCircleOfConfusion) {
           GlowingDisk(-z, disk);
       scene.insert(scene.find("spp"), fmt::format("integrator = '{}'\n", integrator));
       const Picture picture = PictureOf(scene);
-      const double whole = Pi * 0.04;  // pixels of the sharp disk
-      EXPECT_NEAR(MeanOf(picture) * Size * Size, whole, 0.02 * whole);
-      double inner = 0;
+      const double whole = Pi;  // pixels of the sharp disk
+      EXPECT_NEAR(MeanOf(picture) * Size * Size, whole, 0.03 * whole);
+      // Its edge is as soft as the disk is large
+      double inner = 0, count = 0;
       for (int y = 0; y < Size; ++y) {
         for (int x = 0; x < Size; ++x) {
           const double r = std::hypot(x - 20, y - 20);
           const double value = PixelAt(picture, x, y).x;
-          if (r > 14.5) {
+          if (r > 15) {
             EXPECT_EQ(value, 0) << x << ' ' << y << ' ' << z;
           }
-          if (r < 11) inner += value / (Pi * 121);
+          if (r < 11) {
+            inner += value;
+            ++count;
+          }
         }
       }
-      EXPECT_NEAR(inner, whole / (Pi * 169), 0.05 * whole / (Pi * 169)) << z << ' ' << integrator;
+      EXPECT_NEAR(inner / count, whole / (Pi * 169), 0.04 * whole / (Pi * 169))
+          << z << ' ' << integrator;
     }
   }
 }
 
 TEST(Lens, ABladedApertureShowsItsShape) {
-  // The blur of a point beyond the focus is the aperture upside down: a triangle stands on its corner
+  // The blur of a point beyond the focus is the aperture as seen from behind: a triangle with a corner on top
   constexpr int Size = 41;
   const double pixel = 2 * std::tan(15 * Pi / 180) / Size;
   const double lens = 18 * pixel / (1 - 0.25);
@@ -73,14 +78,14 @@ TEST(Lens, ABladedApertureShowsItsShape) {
           Size, Size,
           fmt::format("look_at = [0, 0, -1]\nfov = 30\naperture_radius = {}\nblades = 3\n", lens),
           4096) +
-      GlowingDisk(-4, 0.1 * pixel * 4));
-  // In the plane at distance 1: corner at the bottom, 18 pixels down; the opposite edge 9 pixels up
+      GlowingDisk(-4, pixel * 4));
+  // In the plane at distance 1: the corner is 18 pixels up, the opposite edge 9 down
   for (int y = 0; y < Size; ++y) {
     for (int x = 0; x < Size; ++x) {
       const double up = 20 - y, side = std::abs(x - 20);
-      const double outside = std::max(up - 9, side * std::cos(Pi / 6) - (up + 18) * 0.5);
+      const double outside = std::max(-9 - up, side * std::cos(Pi / 6) - (18 - up) * 0.5);
       const bool isLit = PixelAt(picture, x, y).x > 0;
-      if (std::abs(outside) > 1.2) {
+      if (std::abs(outside) > 2) {
         EXPECT_EQ(isLit, outside < 0) << x << ' ' << y;
       }
     }
@@ -142,7 +147,7 @@ TEST(Cameras, AShiftShowsAnotherPartOfThePlane) {
     const Picture shifted = picture("shift = [0.25, 0.1]\n");
     for (int y = 2; y < 20; ++y)
       for (int x = 0; x < 24; ++x)
-        EXPECT_NEAR(PixelAt(shifted, x, y).x, PixelAt(plain, x + 8, y - 2).x, 2e-5)
+        EXPECT_NEAR(PixelAt(shifted, x, y).x, PixelAt(plain, x + 8, y - 2).x, 2e-4)
             << x << ' ' << y;
   }
 }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "bvh/geometry.h"
+#include "kernel/motion.h"
+#include "kernel/shape.h"
 #include "kernel/triangle.h"
 #include "support/meshes.h"
 #include "support/shapes.h"
@@ -32,6 +34,7 @@ struct BruteForce {
   const Mesh* meshes;
   const Triangle* triangles;
   const vec3* positions;
+  const MotionKey* motions;
 
 #include "gpu/shaders/brute_force.glsl"
 };
@@ -66,6 +69,14 @@ class Soup {
     instances_.push_back(instance);
   }
 
+  // Let all shapes and instances move from where they are, over a few keys.
+  void Move(Random& random) {
+    for (const kernel::Shape& shape : shapes_)
+      AddMotion(random, shape.object, ToKernel(glm::dmat4(1.0)));
+    for (const kernel::Instance& instance : instances_)
+      AddMotion(random, instance.object, instance.toWorld);
+  }
+
   // What may move while views are used.
   std::span<kernel::vec3> positions() { return positions_; }
   std::span<kernel::Shape> shapes() { return shapes_; }
@@ -73,7 +84,8 @@ class Soup {
 
   // Views; the soup must not move or grow while they are used.
   bvh::Geometry Geometry() {
-    return {positions_, triangles_, meshes_, shapes_, instances_, objects_, worldTriangles_};
+    return {positions_, triangles_, meshes_,         shapes_,
+            instances_, objects_,   worldTriangles_, motions_};
   }
   search::BruteForce BruteForce() const {
     return {{unsigned(shapes_.size()), worldTriangles_, unsigned(instances_.size())},
@@ -82,17 +94,20 @@ class Soup {
             instances_.data(),
             meshes_.data(),
             triangles_.data(),
-            positions_.data()};
+            positions_.data(),
+            motions_.data()};
   }
 
   // The t of what a search found; 0 for nothing.
   float DistanceOf(const kernel::Hit& hit, const kernel::Ray& ray) const {
     if (hit.primitive == kernel::None) return 0;
-    if (hit.instance == kernel::INSTANCE_SHAPE)
-      return kernel::IntersectShape(shapes_[hit.primitive], ray.o, ray.d);
+    if (hit.instance == kernel::INSTANCE_SHAPE) {
+      const kernel::Ray local = BruteForce().ShapeRay(shapes_[hit.primitive], ray);
+      return kernel::IntersectShape(shapes_[hit.primitive], local.o, local.d);
+    }
     kernel::Ray local = ray;
     if (hit.instance != kernel::None)
-      local = kernel::ToLocalRay(instances_[hit.instance].toWorld, ray.o, ray.d);
+      local = kernel::ToLocalRay(BruteForce().InstanceAt(hit.instance, ray.time), ray.o, ray.d);
     const kernel::Triangle& t = triangles_[hit.primitive];
     return kernel::IntersectTriangle(kernel::Shear(local.o, local.d), positions_[t.v0],
                                      positions_[t.v1], positions_[t.v2])
@@ -108,8 +123,20 @@ class Soup {
 
  private:
   unsigned AddObject(unsigned mask) {
-    objects_.push_back({0, mask, kernel::None, ToKernel(glm::dmat4(1.0)), kernel::None});
+    objects_.push_back(
+        {0, mask, kernel::None, kernel::None, 0, ToKernel(glm::dmat4(1.0)), kernel::None});
     return unsigned(objects_.size()) - 1;
+  }
+  void AddMotion(Random& random, unsigned object, const kernel::Transform& place) {
+    objects_[object].motion = unsigned(motions_.size());
+    objects_[object].motionSteps = 1 + random.Index(4);
+    for (unsigned i = 0; i <= objects_[object].motionSteps; ++i) {
+      const auto changed = [&](kernel::vec3 v) {
+        return v + kernel::vec3(random.InCube()) * (0.15f * kernel::Length(v));
+      };
+      motions_.push_back({changed(place.x), changed(place.y), changed(place.z),
+                          place.origin + kernel::vec3(random.InCube()) * 0.3f});
+    }
   }
   void AddMesh(const TriangleMesh& mesh, unsigned object) {
     const unsigned first = unsigned(positions_.size());
@@ -126,6 +153,7 @@ class Soup {
   std::vector<kernel::Shape> shapes_;
   std::vector<kernel::Instance> instances_;
   std::vector<kernel::Object> objects_;
+  std::vector<kernel::MotionKey> motions_;
   unsigned worldTriangles_ = 0;
 };
 

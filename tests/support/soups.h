@@ -184,7 +184,7 @@ inline kernel::Ray RandomRay(Random& random, const Soup& soup) {
     direction[axis] = tiny[random.Index(6)];
   }
   if (random.Chance(0.2)) direction *= float(random.LogUniform(1e-4, 1e4));
-  return {vec3(o), direction};
+  return {vec3(o), direction, 0};
 }
 
 }  // namespace snell::test

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "kernel/motion.h"
 #include "kernel/shape.h"
 #include "kernel/triangle.h"
 #include "support/meshes.h"
@@ -24,7 +25,10 @@ struct SurfaceKernel {
   const vec4* colors = nullptr;
   const Instance* instances = nullptr;
   const Shape* shapes = nullptr;
+  const Object* objects = nullptr;
+  const MotionKey* motions = nullptr;
 
+#include "kernel/scene_motion.h"
 #include "kernel/scene_surface.h"
 };
 

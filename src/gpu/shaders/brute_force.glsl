@@ -7,6 +7,8 @@
 #ifndef SNELL_GPU_BRUTE_FORCE_GLSL
 #define SNELL_GPU_BRUTE_FORCE_GLSL
 
+#include "kernel/scene_motion.h"
+
 // Take a candidate if it is nearer than the best one, or as near and first in order.
 SCENE_FN void TakeNearer(float t, uint instance, uint primitive, INOUT(float) best,
                          INOUT(Hit) hit) {
@@ -24,8 +26,9 @@ SCENE_FN Hit ClosestHit(IN(Ray) ray, float tMax, uint mask) {
   float best = tMax;
   for (uint i = 0u; i < counts.shapes; ++i) {
     LET(Shape) shape = shapes[i];
-    if ((objects[shape.object].mask & mask) != 0u)
-      TakeNearer(IntersectShape(shape, ray.o, ray.d), INSTANCE_SHAPE, i, best, hit);
+    if ((objects[shape.object].mask & mask) == 0u) continue;
+    Ray local = ShapeRay(shape, ray);
+    TakeNearer(IntersectShape(shape, local.o, local.d), INSTANCE_SHAPE, i, best, hit);
   }
 
   // The triangles of every instance, and then, as of one that has no number, those in world space
@@ -37,7 +40,7 @@ SCENE_FN Hit ClosestHit(IN(Ray) ray, float tMax, uint mask) {
     if (instanced) {
       first = instances[k].firstTriangle;
       count = instances[k].triangleCount;
-      local = ToLocalRay(instances[k].toWorld, ray.o, ray.d);
+      local = ToLocalRay(InstanceAt(k, ray.time), ray.o, ray.d);
     }
     ShearedRay sheared = Shear(local.o, local.d);
     for (uint i = first; i < first + count; ++i) {

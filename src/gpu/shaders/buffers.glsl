@@ -32,6 +32,7 @@ layout(scalar, set = 0, binding = 18) readonly buffer LightBuffer { Light lights
 layout(scalar, set = 0, binding = 19) readonly buffer EmitterBuffer { Emitter emitters[]; };
 layout(scalar, set = 0, binding = 20) readonly buffer AlbedoBuffer { float albedos[]; };
 layout(scalar, set = 0, binding = 21) readonly buffer LightNodeBuffer { LightNode lightNodes[]; };
-layout(scalar, set = 0, binding = 22) readonly buffer GridBuffer { Grid grids[]; };
+layout(scalar, set = 0, binding = 22) readonly buffer MotionBuffer { MotionKey motions[]; };
+layout(scalar, set = 0, binding = 23) readonly buffer GridBuffer { Grid grids[]; };
 
 #endif

@@ -20,9 +20,16 @@ class GltfSceneReader {
   GltfSceneReader(const GltfDocument& document, const ReadOptions& options)
       : document_(document),
         data_(document),
-        nodes_(data_, options.time, options.scene),
+        nodes_(data_, options.duration > 0 ? options.time.value_or(0) : options.time,
+               options.scene),
         meshes_(data_, scene_, options.variant),
-        materials_(data_, scene_) {}
+        materials_(data_, scene_) {
+    if (options.duration <= 0 || document.model.animations.empty()) return;
+    for (int i = 0; i <= MotionKeys; ++i) {
+      const double time = options.time.value_or(0) + options.duration * i / MotionKeys;
+      moments_.push_back({time, nodes_.WorldsAt(data_, time)});
+    }
+  }
 
   scene::Scene Read() {
     for (const int node : nodes_.visible()) {
@@ -44,6 +51,11 @@ class GltfSceneReader {
     auto camera = ReadGltfCamera(document_, record.camera, nodes_.World(node), part);
     if (!camera) return;
     if (camera->name.empty()) camera->name = record.name;
+    if (!moments_.empty()) {
+      camera->motion = MotionOf(node, glm::dmat4(1.0), part);
+      camera->shutterOpen = moments_.front().time;
+      camera->shutterClose = moments_.back().time;
+    }
     scene_.cameras.push_back(std::move(*camera));
   }
 
@@ -57,8 +69,26 @@ class GltfSceneReader {
         document_.findings.Note("objects whose transform cannot be undone are left out", part);
         continue;
       }
-      for (const GltfMeshes::Part& from : parts) AddObject(from, node, toWorld);
+      const scene::Motion motion = isSkinned ? scene::Motion() : MotionOf(node, instance, part);
+      for (const GltfMeshes::Part& from : parts) {
+        AddObject(from, node, toWorld);
+        scene_.objects.back().motion = motion;
+      }
     }
+  }
+
+  // Empty for a node that stands still.
+  scene::Motion MotionOf(int node, const glm::dmat4& local, const std::string& part) {
+    scene::Motion motion;
+    bool moves = false;
+    for (const Moment& moment : moments_) {
+      motion.push_back({moment.time, moment.worlds[std::size_t(node)] * local});
+      moves = moves || motion.back().place != motion.front().place;
+      if (IsInvertible(motion.back().place)) continue;
+      document_.findings.Note("motion by a transform that cannot be undone is left out", part);
+      return {};
+    }
+    return moves ? motion : scene::Motion();
   }
 
   void AddObject(const GltfMeshes::Part& from, int node, const glm::dmat4& toWorld) {
@@ -76,12 +106,20 @@ class GltfSceneReader {
     scene_.objects.push_back(std::move(object));
   }
 
+  // Between these, movement is taken to be even.
+  static constexpr int MotionKeys = 16;
+  struct Moment {
+    double time;
+    std::vector<glm::dmat4> worlds;  // of the nodes
+  };
+
   const GltfDocument& document_;
   scene::Scene scene_;
   GltfData data_;
   GltfNodes nodes_;
   GltfMeshes meshes_;
   GltfMaterials materials_;
+  std::vector<Moment> moments_;
 };
 
 }  // namespace

@@ -168,6 +168,38 @@ TEST(GltfNodes, AnimationsAtATime) {
   EXPECT_DOUBLE_EQ(XAt("CUBICSPLINE", 2), 4 + 12 * 0.125);
 }
 
+TEST(GltfNodes, AnimationsMoveForADuration) {
+  // A mesh below a node that goes from 0 to 8 along x in two seconds, and a camera beside it
+  GltfBuilder builder;
+  builder.AddFloats({0, 2}, "SCALAR", 2);
+  builder.AddFloats({0, 0, 0, 8, 0, 0}, "VEC3", 2);
+  const int triangle = builder.AddTriangle();
+  const std::string text = builder.Document(fmt::format(
+      R"("nodes": [{{"children": [1, 2]}}, {{"mesh": 0, "translation": [0, 3, 0]}}, {{"camera": 0}},
+{{"mesh": 0}}], "meshes": [{{"primitives": [{{"attributes": {{"POSITION": {}}}}}]}}],
+"cameras": [{{"type": "perspective", "perspective": {{"yfov": 1, "znear": 0.1}}}}],
+"animations": [{{"channels": [{{"sampler": 0, "target": {{"node": 0, "path": "translation"}}}}],
+"samplers": [{{"input": 0, "output": 1}}]}}])",
+      triangle));
+  ReadOptions options;
+  options.time = 0.5;
+  options.duration = 0.25;
+  const TemporaryFile file("a.gltf", text);
+  const scene::Scene scene = ReadGltf(file.path(), options, {}).scene;
+  ASSERT_EQ(scene.objects.size(), 2u);
+  const scene::Motion& motion = scene.objects[0].motion;
+  ASSERT_FALSE(motion.empty());
+  EXPECT_EQ(motion.front().time, 0.5);
+  EXPECT_EQ(motion.back().time, 0.75);
+  EXPECT_NEAR(motion.front().place[3].x, 2, 1e-6);
+  EXPECT_NEAR(motion.back().place[3].x, 3, 1e-6);
+  EXPECT_NEAR(motion.back().place[3].y, 3, 1e-6);
+  EXPECT_TRUE(scene.objects[1].motion.empty()) << "stands still";
+  ASSERT_EQ(scene.cameras.size(), 1u);
+  EXPECT_EQ(scene.cameras[0].shutterClose, 0.75);
+  EXPECT_NEAR(scene.cameras[0].motion.back().place[3].x, 3, 1e-6);
+}
+
 TEST(GltfNodes, AnimatedRotationsTakeTheShortWay) {
   GltfBuilder builder;
   builder.AddFloats({0, 1}, "SCALAR", 2);

@@ -81,6 +81,14 @@ GltfNodes::GltfNodes(GltfData& data, std::optional<double> time, const std::stri
   FindVisible(FindScene(scene));
 }
 
+std::vector<glm::dmat4> GltfNodes::WorldsAt(GltfData& data, double time) const {
+  GltfNodes moved = *this;
+  moved.states_ = GltfRestStates(document_);
+  Animate(data, time, moved.states_);
+  moved.PlaceAll();
+  return moved.world_;
+}
+
 std::string GltfNodes::NameOf(int node) const {
   return GltfPart("node", std::size_t(node), document_.model.nodes[std::size_t(node)].name);
 }

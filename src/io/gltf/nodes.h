@@ -31,6 +31,8 @@ class GltfNodes {
   // The nodes of the scene to show, parents first: the default scene, else the first, else all nodes.
   const std::vector<int>& visible() const { return visible_; }
   const glm::dmat4& World(int node) const { return world_[std::size_t(node)]; }
+  // Where all nodes are at a moment.
+  std::vector<glm::dmat4> WorldsAt(GltfData& data, double time) const;
   const GltfNodeState& State(int node) const { return states_[std::size_t(node)]; }
   std::string NameOf(int node) const;
   bool Exists(int node) const { return node >= 0 && std::size_t(node) < states_.size(); }

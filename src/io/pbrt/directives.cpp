@@ -37,7 +37,9 @@ void PbrtReader::TransformEnd() {
   PbrtState now = state_;
   Pop('t');
   now.transform = state_.transform;
-  now.transformsCount = state_.transformsCount;
+  now.transformEnd = state_.transformEnd;
+  now.startCounts = state_.startCounts;
+  now.endCounts = state_.endCounts;
   state_ = std::move(now);
 }
 
@@ -100,9 +102,9 @@ void PbrtReader::WorldBegin() {
   RequireWorld(false);
   isInWorld_ = true;
   fromPbrt_ = view_.FromPbrt();
-  state_.transform = scene::Affine(1.0);
-  state_.transformsCount = true;
-  coordinateSystems_["world"] = state_.transform;
+  state_.transform = state_.transformEnd = scene::Affine(1.0);
+  state_.startCounts = state_.endCounts = true;
+  coordinateSystems_["world"] = {state_.transform, state_.transformEnd};
 }
 
 void PbrtReader::WorldEnd() {
@@ -113,8 +115,9 @@ void PbrtReader::Camera() {
   RequireWorld(false);
   const std::string type = String("a type");
   const PbrtParameters parameters = Parameters(type);
-  view_.ReadCamera(type, parameters, state_.transform);
-  coordinateSystems_["camera"] = glm::inverse(state_.transform);
+  view_.ReadCamera(type, parameters, state_.transform, MotionOf(scene::Affine(1.0)));
+  coordinateSystems_["camera"] = {glm::inverse(state_.transform),
+                                  glm::inverse(state_.transformEnd)};
   parameters.ReportUnused(context_.findings);
 }
 

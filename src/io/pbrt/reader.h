@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/pbrt/context.h"
@@ -23,8 +24,10 @@ namespace snell::io {
 
 // What AttributeBegin saves and AttributeEnd brings back.
 struct PbrtState {
-  scene::Affine transform{1.0};
-  bool transformsCount = true;  // not those for the end of a movement
+  scene::Affine transform{1.0};     // at the start of all movement
+  scene::Affine transformEnd{1.0};  // and at its end
+  bool startCounts = true;          // which of them statements change
+  bool endCounts = true;
   bool isReversed = false;
   int material = 0;
   std::optional<PbrtAreaLight> areaLight;
@@ -75,6 +78,8 @@ class PbrtReader {
   void ActiveTransform();
   void TransformTimes();
   void Concat(const scene::Affine& map);
+  void Replace(const scene::Affine& start, const scene::Affine& end);
+  scene::Motion MotionOf(const scene::Affine& toObject) const;
   scene::Affine Matrix();
 
   // The state (directives.cpp)
@@ -130,7 +135,9 @@ class PbrtReader {
 
   PbrtState state_;
   std::vector<Saved> saved_;
-  std::map<std::string, scene::Affine> coordinateSystems_;
+  std::map<std::string, std::pair<scene::Affine, scene::Affine>> coordinateSystems_;
+  double movementStart_ = 0;  // seconds
+  double movementEnd_ = 1;
   bool isInWorld_ = false;
   scene::Affine fromPbrt_{1.0};
 

@@ -18,12 +18,22 @@ using scene::Affine;
 static constexpr std::size_t MaxCoordinateSystems = 100'000;
 
 void PbrtReader::Concat(const Affine& map) {
-  if (state_.transformsCount) state_.transform = state_.transform * map;
+  Replace(state_.transform * map, state_.transformEnd * map);
 }
 
-void PbrtReader::Identity() {
-  if (state_.transformsCount) state_.transform = Affine(1.0);
+void PbrtReader::Replace(const Affine& start, const Affine& end) {
+  if (state_.startCounts) state_.transform = start;
+  if (state_.endCounts) state_.transformEnd = end;
 }
+
+// Of what stands by `toObject` in the current transform; empty if that does not move.
+scene::Motion PbrtReader::MotionOf(const Affine& toObject) const {
+  if (state_.transform == state_.transformEnd) return {};
+  return {{movementStart_, state_.transform * toObject},
+          {movementEnd_, state_.transformEnd * toObject}};
+}
+
+void PbrtReader::Identity() { Replace(Affine(1.0), Affine(1.0)); }
 
 void PbrtReader::Translate() {
   const std::vector<double> n = Numbers(3);
@@ -67,7 +77,7 @@ Affine PbrtReader::Matrix() {
 
 void PbrtReader::Transform() {
   const Affine map = Matrix();
-  if (state_.transformsCount) state_.transform = map;
+  Replace(map, map);
 }
 
 void PbrtReader::ConcatTransform() { Concat(Matrix()); }
@@ -75,7 +85,7 @@ void PbrtReader::ConcatTransform() { Concat(Matrix()); }
 void PbrtReader::CoordinateSystem() {
   if (coordinateSystems_.size() >= MaxCoordinateSystems)
     throw Error("there are too many coordinate systems", place_);
-  coordinateSystems_[String("a name")] = state_.transform;
+  coordinateSystems_[String("a name")] = {state_.transform, state_.transformEnd};
 }
 
 void PbrtReader::CoordSysTransform() {
@@ -83,21 +93,26 @@ void PbrtReader::CoordSysTransform() {
   const auto system = coordinateSystems_.find(name);
   if (system == coordinateSystems_.end())
     throw Error(fmt::format("there is no coordinate system {}", Quoted(name)), place_);
-  if (state_.transformsCount) state_.transform = system->second;
+  Replace(system->second.first, system->second.second);
 }
 
-// StartTime, EndTime or All: Snell shows the beginning of each movement.
+// StartTime, EndTime or All.
 void PbrtReader::ActiveTransform() {
   const PbrtWord word = words_->Next();
   if (word.text != "StartTime" && word.text != "EndTime" && word.text != "All")
     throw Error(
         fmt::format("'ActiveTransform' needs StartTime, EndTime or All, not {}", Quoted(word)),
         words_->PlaceOf(word));
-  state_.transformsCount = word.text != "EndTime";
-  if (word.text != "All")
-    context_.findings.Add("movement", "left out: all is where it starts", "", place_);
+  state_.startCounts = word.text != "EndTime";
+  state_.endCounts = word.text != "StartTime";
 }
 
-void PbrtReader::TransformTimes() { Numbers(2); }
+void PbrtReader::TransformTimes() {
+  RequireWorld(false);
+  const std::vector<double> times = Numbers(2);
+  if (!(times[0] < times[1])) throw Error("'TransformTimes' needs two times that rise", place_);
+  movementStart_ = times[0];
+  movementEnd_ = times[1];
+}
 
 }  // namespace snell::io

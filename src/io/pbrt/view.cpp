@@ -18,7 +18,7 @@ static constexpr int MaxSamples = 1 << 24;
 static constexpr int MaxPathDepth = 1000;
 
 void PbrtView::ReadCamera(const std::string& type, const PbrtParameters& parameters,
-                          const scene::Affine& cameraFromWorld) {
+                          const scene::Affine& cameraFromWorld, const scene::Motion& motion) {
   Findings& findings = context_.findings;
   Camera camera;
   camera.place = parameters.place();
@@ -41,8 +41,10 @@ void PbrtView::ReadCamera(const std::string& type, const PbrtParameters& paramet
       throw Error("the screen window needs four numbers: x from and to, y from and to",
                   parameters.Peek("screenwindow")->place);
   }
-  exposureTime_ =
-      double(parameters.Number("shutterclose", 1) - parameters.Number("shutteropen", 0));
+  camera.shutterOpen = double(parameters.Number("shutteropen", 0));
+  camera.shutterClose = double(parameters.Number("shutterclose", 1));
+  camera.motion = motion;
+  exposureTime_ = camera.shutterClose - camera.shutterOpen;
   if (type == "perspective" || type == "orthographic") {
     camera.lensRadius = parameters.Number("lensradius", 0);
     camera.focalDistance = parameters.Number("focaldistance", 1e6f);
@@ -169,6 +171,14 @@ void PbrtView::Finish() {
   const double reach = std::max(1.0, glm::length(position));
   camera.lookAt = scene::vec3(position + glm::normalize(forward) * reach);
   camera.up = scene::vec3(glm::normalize(up));
+  for (const scene::MotionKey& key : camera_->motion) {
+    // pbrt's cameras look along z
+    scene::Affine frame = FromPbrt() * glm::inverse(key.place);
+    frame[2] = -frame[2];
+    camera.motion.push_back({key.time, frame});
+  }
+  camera.shutterOpen = camera_->shutterOpen;
+  camera.shutterClose = std::max(camera_->shutterOpen, camera_->shutterClose);
   camera.lens.radius = camera_->lensRadius * float(glm::length(up));
   camera.lens.focusDistance = camera_->focalDistance * float(glm::length(forward));
   if (const std::vector<double>& w = camera_->screenWindow; !w.empty())

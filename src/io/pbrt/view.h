@@ -17,9 +17,9 @@ class PbrtView {
  public:
   explicit PbrtView(PbrtContext& context) : context_(context) {}
 
-  // `cameraFromWorld` is the transform that stands before the camera.
+  // `cameraFromWorld` is the transform that stands before the camera, and `motion` how it moves.
   void ReadCamera(const std::string& type, const PbrtParameters& parameters,
-                  const scene::Affine& cameraFromWorld);
+                  const scene::Affine& cameraFromWorld, const scene::Motion& motion);
   void ReadFilm(const PbrtParameters& parameters);
   void ReadSampler(const std::string& type, const PbrtParameters& parameters);
   void ReadFilter(const std::string& type, const PbrtParameters& parameters);
@@ -40,6 +40,9 @@ class PbrtView {
     std::vector<double> screenWindow;
     float lensRadius = 0;  // as the next: in the camera's space
     float focalDistance = 1e6f;
+    scene::Motion motion;  // from the world
+    double shutterOpen = 0;
+    double shutterClose = 1;
     Place place;
   };
   double ScreenHeight() const;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "io/pbrt/test_scene.h"
+#include "scene/motion.h"
 
 namespace snell::io {
 namespace {
@@ -119,6 +120,36 @@ TEST(PbrtView, SphericalCamerasLookAllAround) {
   EXPECT_EQ(camera.kind, scene::CameraKind::Panorama);
   EXPECT_NEAR(camera.longitude.x, 90 * Degree, 1e-6);
   EXPECT_NEAR(camera.longitude.y, -270 * Degree, 1e-6);
+}
+
+TEST(PbrtView, MovementIsFromStartToEnd) {
+  PbrtTestScene file;
+  const scene::Scene scene = file.Read(
+      "TransformTimes 1 3 LookAt 0 0 -5 0 0 0 0 1 0 ActiveTransform EndTime Translate -2 0 0 "
+      "ActiveTransform All Camera \"perspective\" \"float shutteropen\" 1 \"float shutterclose\" 2 "
+      "WorldBegin LightSource \"point\" ObjectBegin \"a\" Shape \"sphere\" ObjectEnd "
+      "AttributeBegin ActiveTransform EndTime Translate 0 4 0 Shape \"sphere\" ActiveTransform All "
+      "Translate 0 0 1 ObjectInstance \"a\" AttributeEnd Shape \"sphere\"");
+  EXPECT_EQ(file.error, "");
+  ASSERT_EQ(scene.cameras.size(), 1u);
+  const scene::Camera& camera = scene.cameras[0];
+  EXPECT_EQ(camera.shutterOpen, 1);
+  EXPECT_EQ(camera.shutterClose, 2);
+  ASSERT_EQ(camera.motion.size(), 2u);
+  // The frame at the start is the camera's own; the world moves left, so the camera moves right
+  const scene::Affine own = scene::FrameOf(camera);
+  for (int i = 0; i < 4; ++i) EXPECT_LT(glm::length(camera.motion[0].place[i] - own[i]), 1e-6) << i;
+  EXPECT_LT(glm::length(camera.motion[1].place[3] - own[3] - glm::dvec4(2, 0, 0, 0)), 1e-6);
+  ASSERT_EQ(scene.objects.size(), 3u);
+  for (int i = 0; i < 2; ++i) {
+    const scene::Motion& motion = scene.objects[std::size_t(i)].motion;
+    ASSERT_EQ(motion.size(), 2u);
+    EXPECT_EQ(motion[0].time, 1);
+    EXPECT_EQ(motion[1].time, 3);
+    EXPECT_EQ(motion[0].place, scene.objects[std::size_t(i)].toWorld);
+    EXPECT_EQ(motion[1].place[3] - motion[0].place[3], glm::dvec4(0, 4, 0, 0));
+  }
+  EXPECT_TRUE(scene.objects[2].motion.empty());
 }
 
 TEST(PbrtView, OtherCamerasAreApproximated) {

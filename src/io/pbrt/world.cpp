@@ -7,6 +7,7 @@
 
 #include "io/mesh/text.h"
 #include "io/pbrt/reader.h"
+#include "scene/motion.h"
 #include "util/text.h"
 
 namespace snell::io {
@@ -95,6 +96,8 @@ void PbrtReader::ObjectInstance() {
   if (object == objects_.end())
     throw Error(fmt::format("there is no object {}", Quoted(name)), place_);
   for (scene::Object part : object->second) {
+    part.motion =
+        scene::Compose(state_.transform, MotionOf(scene::Affine(1.0)), part.toWorld, part.motion);
     part.toWorld = state_.transform * part.toWorld;
     part.place = place_;
     AddObject(std::move(part));
@@ -106,6 +109,7 @@ void PbrtReader::AddObject(scene::Object object) {
   if (context_.scene.objects.size() >= MaxObjects)
     throw Error(fmt::format("the scene has more than {}", Plural(MaxObjects, "object")), place_);
   object.toWorld = fromPbrt_ * object.toWorld;
+  for (scene::MotionKey& key : object.motion) key.place = fromPbrt_ * key.place;
   context_.scene.objects.push_back(std::move(object));
 }
 
@@ -148,6 +152,7 @@ void PbrtReader::Shape() {
   object.name = type;
   object.geometry = shape->geometry;
   object.toWorld = state_.transform * shape->toObject;
+  object.motion = MotionOf(shape->toObject);
   object.place = place_;
   if (light) {
     const PbrtEmitter emitter{shape->geometry, fromPbrt_ * object.toWorld, !isHidden};

@@ -108,12 +108,14 @@ class Placer {
             object.material >= 0 ? object.material : around.material,
             around.visibleToCamera && object.visibleToCamera,
             around.visibleToSecondary && object.visibleToSecondary,
-            around.castsShadow && object.castsShadow};
+            around.castsShadow && object.castsShadow,
+            MotionWithin(around, object)};
   }
 
   void PlaceObject(const Member& member, const Surroundings& inner) {
     scene::Object object = member.object;
     object.toWorld = inner.toWorld;
+    object.motion = inner.motion;
     object.name = inner.name;
     object.material = inner.material >= 0 ? inner.material : DefaultMaterial(reader_);
     object.visibleToCamera = inner.visibleToCamera;

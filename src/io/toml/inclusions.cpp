@@ -24,7 +24,7 @@ int InclusionLibrary::Request(const std::filesystem::path& path, const ReadOptio
                               const Place& place) {
   const auto key = std::tuple(RealName(path), options.smooth.value_or(-1), options.ignoreNormals,
                               options.time.value_or(std::numeric_limits<double>::infinity()),
-                              options.scene, options.variant);
+                              options.duration, options.scene, options.variant);
   const auto [request, isNew] = requests_.emplace(key, int(items_.size()));
   if (isNew) items_.push_back({path, options, place, {}, {}});
   return request->second;

@@ -51,7 +51,8 @@ class InclusionLibrary {
   static void Read(Reader& reader, Item& item, const WarningSink& warn);
 
   std::vector<Item> items_;
-  std::map<std::tuple<std::string, float, bool, double, std::string, std::string>, int> requests_;
+  std::map<std::tuple<std::string, float, bool, double, double, std::string, std::string>, int>
+      requests_;
 };
 
 }  // namespace snell::io

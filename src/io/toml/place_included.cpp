@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/framing.h"
+#include "scene/motion.h"
 
 namespace snell::io {
 
@@ -38,6 +39,7 @@ scene::Camera Placed(scene::Camera camera, const Affine& toWorld) {
   const glm::dvec3 up = glm::dmat3(toWorld) * glm::normalize(glm::dvec3(camera.up));
   const glm::dvec3 ahead =
       glm::dmat3(toWorld) * glm::normalize(glm::dvec3(camera.lookAt) - glm::dvec3(camera.position));
+  for (scene::MotionKey& key : camera.motion) key.place = toWorld * key.place;
   camera.position = point(camera.position);
   camera.lookAt = point(camera.lookAt);
   camera.up = vec3(glm::normalize(up));
@@ -49,6 +51,10 @@ scene::Camera Placed(scene::Camera camera, const Affine& toWorld) {
 
 }  // namespace
 
+scene::Motion MotionWithin(const Surroundings& around, const scene::Object& object) {
+  return scene::Compose(around.toWorld, around.motion, object.toWorld, object.motion);
+}
+
 std::string JoinNames(const std::string& outer, const std::string& inner) {
   return outer.empty() || inner.empty() ? outer + inner : outer + "/" + inner;
 }
@@ -59,6 +65,7 @@ void PlaceIncluded(Reader& reader, const Member& member, const Surroundings& aro
   for (const scene::Object& object : contents.objects) {
     scene::Object placed = object;
     placed.toWorld = around.toWorld * object.toWorld;
+    placed.motion = MotionWithin(around, object);
     placed.name = JoinNames(around.name, object.name);
     placed.material = MaterialOf(reader, member, around, object);
     placed.visibleToCamera = placed.visibleToCamera && around.visibleToCamera;

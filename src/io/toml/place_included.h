@@ -17,7 +17,11 @@ struct Surroundings {
   bool visibleToCamera = true;
   bool visibleToSecondary = true;
   bool castsShadow = true;
+  scene::Motion motion = {};  // takes the place of toWorld
 };
+
+// The motion of an object that stands, or moves, within them.
+scene::Motion MotionWithin(const Surroundings& around, const scene::Object& object);
 
 // "outer/inner"
 std::string JoinNames(const std::string& outer, const std::string& inner);

@@ -20,8 +20,7 @@ static constexpr float Degree = 0.0174532925199f;
 
 // --- Checks -------------------------------------------------------------------------------------------------
 
-// A point so far along the direction that the sum keeps the direction's digits.
-static vec3 PointAhead(const vec3& position, const vec3& direction) {
+vec3 PointAhead(const vec3& position, const vec3& direction) {
   float distance = 1;
   for (int axis = 0; axis < 3; ++axis) distance = std::max(distance, std::abs(position[axis]));
   return position + direction * distance;
@@ -37,10 +36,13 @@ static void CheckCamera(Reader& reader, const Fields& fields, CameraDraft& draft
     return;
   }
   const dvec3 side = glm::cross(glm::normalize(forward), glm::normalize(dvec3(camera.up)));
-  if (!(glm::length(side) > 1e-6))
+  if (glm::length(side) > 1e-6) {
+    FinishCameraMotion(reader, fields, draft);
+  } else {
     reader.Report(fmt::format("'up' is parallel to the line of sight in {}", fields.title),
                   fields.PlaceOf("up"),
                   fields.Find("up") ? "" : "give another 'up', such as [0, 0, -1]");
+  }
 }
 
 // Where the lens is in focus: as told, or at the point that the camera looks at.
@@ -129,7 +131,8 @@ static Keys<CameraDraft> ViewKeys() {
                              .Standard("by `look_at`")
                              .Not({"forward", "dir"});
   const auto up = Field("up", &Camera::up, NotZero(""), "What points up in the picture.");
-  return Join<CameraDraft>({In({name, position, lookAt}), {direction}, In({up})});
+  return Join<CameraDraft>(
+      {In({name, position, lookAt}), {direction}, In({up}), CameraMotionKeys()});
 }
 
 // Of flat pictures through a lens.

@@ -35,7 +35,7 @@ void CheckKeys(Reader& reader, const Fields& fields, Role role) {
       if (fields.Find(key))
         reader.Report(fmt::format("'{}' is for {}", key, files), fields.PlaceOf(key));
   };
-  if (role != Role::Gltf) refuse({"scene", "variant", "time"}, "glTF files");
+  if (role != Role::Gltf) refuse({"scene", "variant", "time", "duration"}, "glTF files");
   if (role == Role::Gltf || role == Role::Scene) refuse({"smooth", "ignore_normals"}, "mesh files");
   if (role == Role::Mesh) refuse({"materials"}, "files with materials");
   if (role == Role::Mesh || role == Role::ObjMesh)
@@ -103,14 +103,15 @@ KeyOf<ObjectDraft> Included(const char* name, T IncludedFile::*member, Type<T> t
       text);
 }
 
-Type<double> Seconds() {
+Type<double> Seconds(Range range) {
   Type<double> type;
-  type.expected = "a number";
+  type.expected = "a number" + range.Words();
   type.unit = "s";
-  type.schema = R"({"type": "number"})";
+  type.schema = "{\"type\": \"number\"" + range.Schema() + "}";
   type.example = "0.5";
-  type.read = [expected = type.expected](Reader& reader, const Node& value, double& seconds) {
-    return ReadNumber(reader, value, Any, expected, seconds);
+  type.read = [range, expected = type.expected](Reader& reader, const Node& value,
+                                                double& seconds) {
+    return ReadNumber(reader, value, range, expected, seconds);
   };
   return type;
 }
@@ -145,8 +146,14 @@ VariantOf<ObjectDraft> FileVariant() {
       Option("variant", &ReadOptions::variant, Text("Red"),
              "glTF: the variant of the materials (`KHR_materials_variants`).")
           .Standard("the file's default"),
-      Option("time", &ReadOptions::time, Seconds(), "glTF: the moment of the animations to show.")
+      Option("time", &ReadOptions::time, Seconds(Any),
+             "glTF: the moment of the animations to show.")
           .Standard("by the command line, else all is at rest"),
+      Option(
+          "duration", &ReadOptions::duration, Seconds(NotNegative),
+          "glTF: for so long from `time` on, animated nodes move; for a camera whose `shutter` is "
+          "open then. Skins and morphs stay as they are at `time`.")
+          .Standard("0: nothing moves"),
       SubdivisionKey()};
   return VariantOf<ObjectDraft>(
              "file",

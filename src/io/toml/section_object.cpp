@@ -21,6 +21,7 @@ static void FinishInlineMesh(Reader& reader, const Fields& fields, ObjectDraft& 
 
 static void FinishObject(Reader& reader, const Fields& fields, ObjectDraft& draft) {
   draft.object.toWorld = draft.placement.Matrix();
+  FinishMotion(reader, fields, draft);
   std::string reason;
   if (!IsUsable(draft.object.toWorld, reason))
     reader.Report(fmt::format("the transform of {} cannot be used: {}", fields.title, reason),
@@ -134,7 +135,8 @@ const SectionOf<ObjectDraft>& ObjectSection() {
                              "A thing in the scene: exactly one of `shape`, `file`, `mesh` and "
                              "`group`. All surfaces have two sides.",
                              Join<ObjectDraft>({Within(&ObjectDraft::object, CommonKeys()),
-                                                Within(&ObjectDraft::placement, PlacementKeys())}))
+                                                Within(&ObjectDraft::placement, PlacementKeys()),
+                                                {MotionKeyOfObjects()}}))
           .Variants("shape", variants())
           .OnlyOne(PlacementSides)
           .Checked(FinishObject);

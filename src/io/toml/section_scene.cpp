@@ -180,7 +180,7 @@ const std::vector<const Section*>& AllSections() {
       &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
       &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
       &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection(),
-      &ChannelSection()};
+      &ChannelSection(),  &MotionKeySection(),     &CameraKeySection()};
   return sections;
 }
 

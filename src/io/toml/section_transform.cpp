@@ -89,7 +89,7 @@ static Type<Affine> Scaling() {
   type.expected = "a number or 3 numbers, none of them 0";
   type.schema = R"({"anyOf": [{"type": "number", "not": {"const": 0}},
       {"type": "array", "items": {"type": "number", "not": {"const": 0}}, "minItems": 3, "maxItems": 3}]})";
-  type.example = "[2, 0.5, -1]";
+  type.example = "[2, 0.5, 1.5]";
   type.read = [expected = type.expected](Reader& reader, const Node& value, Affine& map) {
     dvec3 factors;
     if (value.Number()) {

@@ -64,6 +64,37 @@ bool IsUsable(const Affine& map, std::string& reason);
 // A file in the scene's folder (toml_section_object.cpp).
 Type<std::filesystem::path> SceneFile(std::string example);
 
+// --- Motion (toml_section_motion.cpp) -----------------------------------------------------------------------
+
+// Where an object is at a moment; what is not given is as in its table.
+struct MotionKeyDraft {
+  float time = 0;
+  Placement placement;
+  bool hasScale = false;
+  bool hasRotation = false;
+  bool hasTranslation = false;
+  bool hasSteps = false;
+};
+
+struct CameraKeyDraft {
+  float time = 0;
+  std::optional<vec3> position;
+  std::optional<vec3> lookAt;
+  std::optional<vec3> direction;
+  std::optional<vec3> up;
+};
+
+struct CameraDraft;
+struct ObjectDraft;
+const SectionOf<MotionKeyDraft>& MotionKeySection();
+const SectionOf<CameraKeyDraft>& CameraKeySection();
+KeyOf<ObjectDraft> MotionKeyOfObjects();
+Keys<CameraDraft> CameraMotionKeys();
+
+// Turn the drafts' keys into motion, when all else of the tables is known.
+void FinishMotion(Reader& reader, const Fields& fields, ObjectDraft& draft);
+void FinishCameraMotion(Reader& reader, const Fields& fields, CameraDraft& draft);
+
 // --- Textures and materials (toml_section_texture.cpp, toml_section_material.cpp, toml_materials.cpp) -------
 
 struct TextureDraft {
@@ -200,6 +231,7 @@ struct IncludedFile {
 struct ObjectDraft {
   scene::Object object;
   Placement placement;
+  std::vector<MotionKeyDraft> motion;
   MeshDraft mesh;
   std::filesystem::path file;
   ReadOptions fileOptions;
@@ -234,7 +266,12 @@ struct CameraDraft {
   std::optional<float> fStop;
   std::optional<float> focusDistance;
   std::optional<vec3> focusAt;
+  vec2 shutter{0.0f};  // seconds
+  std::vector<CameraKeyDraft> motion;
 };
+
+// A point so far along the direction that the sum keeps the direction's digits.
+vec3 PointAhead(const vec3& position, const vec3& direction);
 
 // --- Single tables (toml_section_scene.cpp) -----------------------------------------------------------------
 

@@ -35,6 +35,8 @@ const std::map<std::string, std::string> Frames = {
     {"displacement", "[material.m]\ndisplacement = { $ }"},
     {"term", "[material.m]\nterms = [{ $ }]"},
     {"texture", "[texture.t]\n$"},
+    {"motion_key", "[[object]]\nshape = \"box\"\nmotion = [{ $ }, { time = 2 }]"},
+    {"camera_key", "[camera]\nmotion = [{ $ }, { time = 2 }]"},
     {"tint", "[material.m]\ntype = \"phong\"\ndiffuse = { $ }"}};
 
 // A key with the section and the variant (or null) that it stands in.
@@ -84,7 +86,7 @@ std::string FileWith(const Case& one, const std::string& name, const std::string
   }
   // What no mesh can do
   static const std::set<std::string> OfScenes = {"materials", "lights",  "light_scale", "cameras",
-                                                 "scene",     "variant", "time"};
+                                                 "scene",     "variant", "time",        "duration"};
   if (keys.contains("file") && OfScenes.contains(name)) keys["file"] = "\"chair.gltf\"";
   // A time is one at a place
   static const std::set<std::string> OfTimes = {"time", "latitude", "longitude"};
