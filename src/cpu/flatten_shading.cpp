@@ -62,6 +62,7 @@ uint FlattenAlpha(scene::AlphaMode mode) {
 
 Light FlattenLight(const scene::Light& light) {
   Light flat = {};
+  flat.profile = None;
   flat.falloff = FlattenFalloff(light.falloff);
   flat.emission = light.color * light.strength;
   flat.position = light.position;
@@ -275,6 +276,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;
+  m.inside.grid = None;
   m.inside.extinction = Extinction(from.attenuationColor, from.attenuationDistance);
   if (from.volume) {
     m.container = 1;
@@ -332,6 +334,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       lightMaterial = uint(flat.materials.size());
       Material black = {};
       black.ior = 1;
+      black.inside.grid = None;
       black.physical = black.closure = black.bumpMap = None;
       std::ranges::fill(black.textures, None);
       flat.materials.push_back(black);

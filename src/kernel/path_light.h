@@ -7,13 +7,6 @@
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
-SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
-  uint seed = HashCombine(s.seed, s.dimension);
-  s.dimension += 1u;
-  if (params.independentSamples == 1u) return IndependentSample2D(s.sampleIndex, seed);
-  return Sobol2D(s.sampleIndex, seed);
-}
-
 // The number of the next vertex; 1 is what the camera sees.
 SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
 
@@ -173,9 +166,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  Spectrum arriving = f * li.irradiance *
-                      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance,
-                                        VertexMedia(v, li.wi), s.ray.time);
+  Spectrum arriving =
+      f * li.irradiance *
+      PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   float weight = lightPdf > 0.0f ? pick * lightPdf / (pick * lightPdf + pdf) : 1.0f;
   return arriving * (weight / pick);
 }

@@ -15,6 +15,7 @@
 #include "image/view.h"
 #include "kernel/types.h"
 #include "scene/aov.h"
+#include "scene/grid.h"
 #include "scene/material.h"
 #include "util/error.h"
 
@@ -264,6 +265,7 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
+  std::vector<DensityGrid> grids;
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
 };

@@ -276,6 +276,8 @@ class Checker {
             fmt::format("{} needs finite coefficients that are not negative", what));
     Require(Finite(m.anisotropy) && std::abs(m.anisotropy) < 1,
             fmt::format("{} needs an anisotropy between -1 and 1", what));
+    Require(m.grid >= -1 && m.grid < int(scene_.grids.size()),
+            fmt::format("{} refers to a grid that does not exist", what));
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {

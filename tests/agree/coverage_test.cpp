@@ -123,6 +123,7 @@ TEST(Coverage, Media) {
   EXPECT_EQ(Values(materials, &Material::container), TagsTo(1));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.scattering.x > 0; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.emission.x > 0; }));
+  EXPECT_FALSE(Every(&FlatScene::grids).empty());
   EXPECT_TRUE(any_of(Every(&FlatScene::physicals),
                      [](const Physical& p) { return p.subsurface.value > 0; }));
   EXPECT_TRUE(any_of(FlatScenes(), [](const FlatScene& flat) {

@@ -29,8 +29,8 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/whitted.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 23) writeonly buffer AovBuffer { AovSample aovSamples[]; };
-layout(scalar, set = 0, binding = 24) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 24) writeonly buffer AovBuffer { AovSample aovSamples[]; };
+layout(scalar, set = 0, binding = 25) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

@@ -120,6 +120,8 @@ struct MaterialDraft {
   bool normalized = false;
   scene::OpenPbr physical;
   scene::Medium volume;
+  std::filesystem::path gridFile;
+  std::string gridName;
   // Of physical ones
   std::string metal;
   std::string glass;
