@@ -34,8 +34,19 @@ void CheckScene(const scene::Scene& scene) {
   for (const scene::Mesh& mesh : scene.meshes) CheckMesh(mesh);
   for (const scene::Image& image : scene.images)
     for (const float value : image.floats) CHECK(std::isfinite(value));
+  for (const scene::DensityGrid& grid : scene.grids) CheckGrid(grid);
   const scene::Box3 box = scene::BoundsOf(scene);
   CHECK(box.Empty() || std::isfinite(box.Size().x + box.Size().y + box.Size().z));
+}
+
+void CheckGrid(const scene::DensityGrid& grid) {
+  const std::size_t bricks = grid.values.size() / 512;
+  CHECK(grid.values.size() % 512 == 0);
+  CHECK(grid.table.size() == std::size_t(grid.bricks.x) * grid.bricks.y * grid.bricks.z);
+  for (const int number : grid.table) CHECK(number == -1 || std::size_t(number) < bricks);
+  for (const float value : grid.values) CHECK(std::isfinite(value) && value >= 0);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row) CHECK(std::isfinite(float(grid.toObject[column][row])));
 }
 
 void CheckPicture(const image::Image& picture, const image::Metadata& metadata) {

@@ -118,6 +118,7 @@ void FlattenGrids(const scene::Scene& scene, FlatScene& flat) {
                                    : std::uint32_t(firstValue + std::size_t(from.table[i]) * 512);
       entry[1] = std::bit_cast<std::uint32_t>(Greatest(from, brick));
     });
+    for (const float value : from.values) grid.greatest = std::max(grid.greatest, value);
     for (std::size_t i = 0; i < from.values.size(); ++i)
       flat.texels[firstValue + i] = std::bit_cast<std::uint32_t>(from.values[i]);
     flat.grids.push_back(grid);

@@ -42,6 +42,9 @@ SCENE_FN uint PathFlightInGrid(INOUT(PathState) s, IN(Medium) medium, uint objec
   LET(Grid) grid = grids[medium.grid];
   GridRay g = ToGrid(grid, object, s.ray, distance);
   float sigma = MaxChannel(medium.extinction);
+  // Glow is met at collisions, of which there must be some
+  if (!IsBlack(medium.emission))
+    sigma = Max(sigma, GlowCollisions / Max(grid.greatest * (g.last - g.first), 1e-30f));
   float greatest;
   float chance;
   t = g.first;

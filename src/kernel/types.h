@@ -269,6 +269,7 @@ struct Grid {
   Transform toObject;  // from the lattice to the space of the object that it fills
   uvec3 bricks;        // along the axes; each is of 8³ points
   uint firstWord;      // of the bricks' table, among the words of images
+  float greatest;      // of all densities
 };
 
 // What fills a space. Absorbs what extinction has more than scattering.

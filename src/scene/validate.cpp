@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -52,6 +53,8 @@ class Checker {
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     CheckMedium(scene_.environment.medium, "the surroundings' medium");
+    Require(scene_.environment.medium.grid < 0, "the surroundings' medium cannot have a grid");
+    for (const DensityGrid& grid : scene_.grids) CheckGrid(grid);
     for (const Light& light : scene_.lights) CheckLight(light);
     CheckLightGroups(LightGroupsOf(scene_));
     for (const Image& image : scene_.images) CheckImage(image);
@@ -278,6 +281,18 @@ class Checker {
             fmt::format("{} needs an anisotropy between -1 and 1", what));
     Require(m.grid >= -1 && m.grid < int(scene_.grids.size()),
             fmt::format("{} refers to a grid that does not exist", what));
+  }
+
+  void CheckGrid(const DensityGrid& grid) {
+    const int bricks = int(grid.values.size() / 512);
+    const auto isBrick = [&](int number) { return number >= -1 && number < bricks; };
+    Require(grid.values.size() % 512 == 0 && std::ranges::all_of(grid.table, isBrick) &&
+                grid.table.size() ==
+                    std::size_t(grid.bricks.x) * grid.bricks.y * std::size_t(grid.bricks.z),
+            fmt::format("the grid '{}' has a table that does not match its values", grid.name));
+    Require(std::ranges::all_of(grid.values,
+                                [](float value) { return std::isfinite(value) && value >= 0; }),
+            fmt::format("the grid '{}' needs finite densities that are not negative", grid.name));
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {

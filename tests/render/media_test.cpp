@@ -4,8 +4,6 @@
 // Chandrasekhar's H-function, and a furnace in which nothing that absorbs nothing may be seen.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nanovdb/util/GridBuilder.h>
-#include <nanovdb/util/IO.h>
 
 #include <cmath>
 #include <numbers>
@@ -13,7 +11,6 @@
 
 #include "render/scene_text.h"
 #include "support/numeric.h"
-#include "support/scratch_folder.h"
 
 namespace snell::test {
 namespace {
@@ -229,43 +226,6 @@ TEST(Media, FogInABodyIsFogAround) {
                                    medium + " }\n");
   for (int channel = 0; channel < 3; ++channel)
     EXPECT_NEAR(MeanOf(inside, channel), MeanOf(around, channel), 0.012 * MeanOf(around, channel));
-}
-
-// The text of a scene beside a grid whose density is 1 + x/2 + y/4 from −2 to 2, in a box of half that size.
-std::string Ramp(const std::string& medium, int volumeDepth) {
-  static const ScratchFolder folder;
-  const std::string path = folder.Path("ramp.nvdb");
-  if (!folder.Exists("ramp.nvdb")) {
-    nanovdb::GridBuilder<float> builder(0.0f, nanovdb::GridClass::FogVolume);
-    auto accessor = builder.getAccessor();
-    for (int x = -10; x <= 10; ++x) {
-      for (int y = -10; y <= 10; ++y) {
-        for (int z = -10; z <= 10; ++z)
-          accessor.setValue(nanovdb::Coord(x, y, z), 1 + 0.1f * float(x) + 0.05f * float(y));
-      }
-    }
-    nanovdb::io::writeGrid(path, builder.getHandle(0.2, nanovdb::Vec3d(0), "density"));
-  }
-  folder.Write("scene.toml",
-               Settings(16, 256, volumeDepth) +
-                   "[camera]\nposition = [0.4, 0.3, 5]\nlook_at = [0.4, 0.3, 0]\nfov = 0.01\n"
-                   "[environment]\ncolor = 1\n[[object]]\nshape = 'box'\nmaterial = { type = "
-                   "'volume', grid = 'ramp.nvdb', " +
-                   medium + " }\n");
-  return folder.Path("scene.toml");
-}
-
-TEST(Media, GridsAreAsDenseAsTheirFilesSay) {
-  const Picture picture =
-      Render(LoadScene(Ramp("absorption = [0.1, 0.3, 0.5], scattering = [0.1, 0.2, 0.3]", 0)), {})
-          .picture;
-  const double density = 1 + 0.4 * 0.5 + 0.3 * 0.25;
-  for (int channel = 0; channel < 3; ++channel)
-    EXPECT_NEAR(MeanOf(picture, channel), std::exp(-2 * density * (0.2 + 0.3 * channel)), 6e-3);
-  // White smoke is not seen against an even sky
-  const Picture white =
-      Render(LoadScene(Ramp("scattering = 4, anisotropy = 0.5", 10000)), {}).picture;
-  EXPECT_NEAR(MeanOf(white), 1, 1e-4);
 }
 
 }  // namespace

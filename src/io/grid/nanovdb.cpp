@@ -8,19 +8,16 @@
 #include <fmt/format.h>
 #include <nanovdb/NanoVDB.h>
 #include <nanovdb/util/IO.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
-#include <glm/common.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
-#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
+#include "io/grid/bricks.h"
 #include "util/error.h"
 
 namespace snell::io {
@@ -28,11 +25,6 @@ namespace snell::io {
 namespace {
 
 using scene::DensityGrid;
-
-// Bricks that a grid may have, and places for bricks in its box.
-constexpr std::size_t MostBricks = std::size_t(1) << 21;
-constexpr double MostPlaces = double(1 << 26);
-constexpr int FarthestVoxel = 1 << 24;
 
 // The bytes of one grid.
 class GridBytes {
@@ -53,6 +45,11 @@ class GridBytes {
     std::memcpy(static_cast<void*>(record), bytes_.data() + offset + number * sizeof(T), sizeof(T));
   }
   std::size_t size() const { return bytes_.size(); }
+  std::string_view Part(std::uint64_t offset, std::uint64_t size) const {
+    Require(offset, size, 1);
+    return bytes_.substr(offset, size);
+  }
+  const std::string& file() const { return file_; }
 
  private:
   std::string_view bytes_;
@@ -66,66 +63,7 @@ struct Raw {
   T& get() { return *reinterpret_cast<T*>(bytes); }
 };
 
-// Bricks by their place, in numbers of bricks.
-class Bricks {
- public:
-  explicit Bricks(const GridBytes& from) : from_(from) {}
-
-  // The 512 values of the brick that begins at this voxel.
-  float* Add(const nanovdb::Coord& voxel) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(voxel[axis]) > FarthestVoxel) from_.Refuse("a grid reaches too far");
-    }
-    const glm::ivec3 place(voxel[0] >> 3, voxel[1] >> 3, voxel[2] >> 3);
-    const auto [entry, isNew] = places_.try_emplace({place.z, place.y, place.x}, places_.size());
-    if (isNew) {
-      if (places_.size() > MostBricks) from_.Refuse("a grid has more than 2 million bricks of 8³");
-      lower_ = glm::min(lower_, place);
-      upper_ = glm::max(upper_, place);
-      values_.resize(places_.size() * 512);
-    }
-    return values_.data() + entry->second * 512;
-  }
-
-  // One value for `size`³ voxels.
-  void Fill(const nanovdb::Coord& voxel, int size, float value) {
-    if (!(value > 0)) return;
-    for (int x = 0; x < size; x += 8) {
-      for (int y = 0; y < size; y += 8) {
-        for (int z = 0; z < size; z += 8)
-          std::fill_n(Add(voxel + nanovdb::Coord(x, y, z)), 512, value);
-      }
-    }
-  }
-
-  DensityGrid Finish(const glm::dmat4& toObject) {
-    DensityGrid grid;
-    if (places_.empty()) from_.Refuse("the grid is empty");
-    // What lies before the first voxel counts a little, too
-    lower_ -= 1;
-    const glm::dvec3 size(upper_ - lower_ + 1);
-    if (size.x * size.y * size.z > MostPlaces) from_.Refuse("a grid's parts lie too far apart");
-    grid.bricks = glm::uvec3(upper_ - lower_ + 1);
-    grid.table.assign(std::size_t(grid.bricks.x) * grid.bricks.y * grid.bricks.z, -1);
-    for (const auto& [place, number] : places_) {
-      const glm::uvec3 at = glm::uvec3(glm::ivec3(place[2], place[1], place[0]) - lower_);
-      grid.table[(std::size_t(at.z) * grid.bricks.y + at.y) * grid.bricks.x + at.x] = int(number);
-    }
-    grid.values = std::move(values_);
-    for (float& value : grid.values) value = std::isfinite(value) && value > 0 ? value : 0.0f;
-    glm::dmat4 shift(1.0);
-    shift[3] = glm::dvec4(glm::dvec3(lower_) * 8.0, 1.0);
-    grid.toObject = toObject * shift;
-    return grid;
-  }
-
- private:
-  const GridBytes& from_;
-  std::map<std::array<int, 3>, std::size_t> places_;
-  std::vector<float> values_;
-  glm::ivec3 lower_{std::numeric_limits<int>::max()};
-  glm::ivec3 upper_{std::numeric_limits<int>::min()};
-};
+glm::ivec3 ToPoint(const nanovdb::Coord& voxel) { return {voxel[0], voxel[1], voxel[2]}; }
 
 // The values that nodes of a level have in place of children, each for `size`³ voxels.
 template <class Node>
@@ -138,12 +76,11 @@ void ReadTiles(const GridBytes& bytes, std::uint64_t offset, std::uint32_t count
     bytes.Copy(offset, i, &node->get());
     Data& data = node->get();
     const int width = int(Node::DIM);
-    const nanovdb::Coord origin = data.mBBox.min() & ~(width - 1);
+    const glm::ivec3 origin = ToPoint(data.mBBox.min() & ~(width - 1));
     for (std::uint32_t n = 0; n < Node::SIZE; ++n) {
       if (data.mChildMask.isOn(n) || !data.mValueMask.isOn(n)) continue;
       const nanovdb::Coord place = Node::OffsetToLocalCoord(n);
-      bricks.Fill(origin + nanovdb::Coord(place[0] * size, place[1] * size, place[2] * size), size,
-                  data.mTable[n].value);
+      bricks.Fill(origin, ToPoint(place) * size, size, data.mTable[n].value);
     }
   }
 }
@@ -160,7 +97,7 @@ DensityGrid ReadTree(const GridBytes& bytes, const glm::dmat4& toObject) {
   for (const std::uint64_t offset : tree.mNodeOffset) {
     if (offset > bytes.size()) bytes.Refuse("the file ends within a grid");
   }
-  Bricks bricks(bytes);
+  Bricks bricks(bytes.file());
   ReadTiles<nanovdb::NanoUpper<Build>>(bytes, first + tree.mNodeOffset[2], tree.mNodeCount[2], 128,
                                        bricks);
   ReadTiles<nanovdb::NanoLower<Build>>(bytes, first + tree.mNodeOffset[1], tree.mNodeCount[1], 8,
@@ -169,7 +106,7 @@ DensityGrid ReadTree(const GridBytes& bytes, const glm::dmat4& toObject) {
   const auto leaf = std::make_unique<Raw<LeafData>>();
   for (std::uint32_t i = 0; i < tree.mNodeCount[0]; ++i) {
     bytes.Copy(first + tree.mNodeOffset[0], i, &leaf->get());
-    float* values = bricks.Add(leaf->get().mBBoxMin & ~7);
+    float* values = bricks.Add(ToPoint(leaf->get().mBBoxMin & ~7));
     for (std::uint32_t n = 0; n < 512; ++n) values[n] = leaf->get().getValue(n);
   }
   return bricks.Finish(toObject);
@@ -184,16 +121,23 @@ glm::dmat4 ToAffine(const nanovdb::Map& map) {
   return m;
 }
 
+// Whether it can be turned round, also in single precision.
+bool IsSound(const glm::dmat4& map) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!(std::abs(map[column][row]) < 1e12)) return false;
+    }
+  }
+  return std::abs(glm::determinant(glm::dmat3(map))) > 1e-30;
+}
+
 DensityGrid ReadGrid(const GridBytes& bytes) {
   bytes.Require(0, 1, sizeof(nanovdb::GridData));
   nanovdb::GridData grid = {};
   bytes.Copy(0, 0, &grid);
   if (grid.mMagic != NANOVDB_MAGIC_NUMBER) bytes.Refuse("no grid where the file announces one");
   const glm::dmat4 toObject = ToAffine(grid.mMap);
-  const double determinant = glm::determinant(glm::dmat3(toObject));
-  if (!std::isfinite(determinant) || determinant == 0 ||
-      !std::isfinite(glm::dot(toObject[3], toObject[3])))
-    bytes.Refuse("a grid's place in space is not sound");
+  if (!IsSound(toObject)) bytes.Refuse("a grid's place in space is not sound");
   if (grid.mGridClass == nanovdb::GridClass::LevelSet)
     bytes.Refuse("the grid is a level set, no density", "convert it to a fog volume");
   switch (grid.mGridType) {
@@ -207,10 +151,42 @@ DensityGrid ReadGrid(const GridBytes& bytes) {
   }
 }
 
+// A grid that is compressed as a zlib stream, after its length.
+std::string Unpacked(const GridBytes& packed, std::uint64_t size) {
+  std::uint64_t length = 0;
+  packed.Require(0, 1, sizeof length);
+  packed.Copy(0, 0, &length);
+  const std::string_view stream = packed.Part(sizeof length, length);
+  // No stream holds more than that (zlib's technical details)
+  if (size > 1032 * length + 64) packed.Refuse("a compressed grid is shorter than it says");
+  std::string bytes(size, '\0');
+  uLongf written = uLongf(size);
+  const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &written,
+                                reinterpret_cast<const Bytef*>(stream.data()), uLong(length));
+  if (status != Z_OK || written != size) packed.Refuse("a compressed grid is damaged");
+  return bytes;
+}
+
 bool IsRead(nanovdb::GridType type) {
   return type == nanovdb::GridType::Float || type == nanovdb::GridType::Fp4 ||
          type == nanovdb::GridType::Fp8 || type == nanovdb::GridType::Fp16;
 }
+
+// Names in a message.
+constexpr std::size_t LongestList = 300;
+std::string Printable(std::string_view name) {
+  std::string text(name.substr(0, 60));
+  std::ranges::replace_if(
+      text, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return text;
+}
+
+// What a header says of a grid.
+struct GridPart {
+  std::uint64_t fileSize;
+  std::uint64_t size;  // when it is not compressed
+  bool isWanted;
+};
 
 }  // namespace
 
@@ -227,26 +203,33 @@ DensityGrid ReadNanoVdb(const std::string& bytes, const std::string& file, std::
     if (header.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER)
       whole.Refuse(fmt::format("NanoVDB files of version {} are not read, only of {}",
                                header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
-    if (header.codec != nanovdb::io::Codec::NONE)
-      whole.Refuse("the file is compressed", "convert it without a codec");
+    const bool isZip = header.codec == nanovdb::io::Codec::ZIP;
+    if (!isZip && header.codec != nanovdb::io::Codec::NONE)
+      whole.Refuse("the file is compressed by a codec that is not read",
+                   "convert it with zip or without a codec (nanovdb_convert --zip)");
     at += sizeof header;
-    std::vector<std::pair<std::uint64_t, bool>> grids;  // sizes, and whether it is the one
+    std::vector<GridPart> grids;
     for (int i = 0; i < header.gridCount; ++i) {
       Raw<nanovdb::io::MetaData> raw;
       whole.Require(at, 1, sizeof(nanovdb::io::MetaData));
       whole.Copy(at, 0, &raw.get());
       const nanovdb::io::MetaData& about = raw.get();
       at += sizeof(nanovdb::io::MetaData);
-      whole.Require(at, about.nameSize, 1);
-      const std::string_view called(bytes.data() + at, std::max(about.nameSize, 1u) - 1);
+      std::string_view called = whole.Part(at, about.nameSize);
+      called = called.substr(0, called.find('\0'));
       at += about.nameSize;
-      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", called);
-      grids.emplace_back(about.fileSize, name.empty() ? IsRead(about.gridType) : called == name);
+      if (names.size() < LongestList)
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", Printable(called));
+      grids.push_back(
+          {about.fileSize, about.gridSize, name.empty() ? IsRead(about.gridType) : called == name});
     }
-    for (const auto& [size, isIt] : grids) {
-      whole.Require(at, size, 1);
-      if (isIt) return ReadGrid(GridBytes(std::string_view(bytes).substr(at, size), file));
-      at += size;
+    for (const GridPart& grid : grids) {
+      const GridBytes part(whole.Part(at, grid.fileSize), file);
+      at += grid.fileSize;
+      if (!grid.isWanted) continue;
+      if (!isZip) return ReadGrid(part);
+      const std::string unpacked = Unpacked(part, grid.size);
+      return ReadGrid(GridBytes(unpacked, file));
     }
   }
   if (name.empty()) whole.Refuse("the file has no grid of numbers");

@@ -5,6 +5,7 @@
 #include "io/grid/nanovdb.h"
 
 #include <gtest/gtest.h>
+#define NANOVDB_USE_ZIP
 #include <nanovdb/util/GridBuilder.h>
 #include <nanovdb/util/IO.h>
 #include <nanovdb/util/Primitives.h>
@@ -22,9 +23,10 @@ using nanovdb::Coord;
 using scene::DensityGrid;
 
 // The bytes of a file with this grid.
-std::string Written(const nanovdb::GridHandle<>& handle) {
+std::string Written(const nanovdb::GridHandle<>& handle,
+                    nanovdb::io::Codec codec = nanovdb::io::Codec::NONE) {
   const test::ScratchFolder folder;
-  nanovdb::io::writeGrid(folder.Path("grid.nvdb"), handle);
+  nanovdb::io::writeGrid(folder.Path("grid.nvdb"), handle, codec);
   return folder.Read("grid.nvdb");
 }
 
@@ -43,11 +45,12 @@ float ValueAt(const DensityGrid& grid, glm::dvec3 p) {
 
 // Values here and there, on both sides of the origin.
 template <class Build>
-std::string Scattered(nanovdb::GridClass kind = nanovdb::GridClass::FogVolume) {
+std::string Scattered(nanovdb::GridClass kind = nanovdb::GridClass::FogVolume,
+                      nanovdb::io::Codec codec = nanovdb::io::Codec::NONE) {
   nanovdb::GridBuilder<float, Build> builder(0.0f, kind);
   auto accessor = builder.getAccessor();
   for (int i = 0; i < 40; ++i) accessor.setValue(Coord(i - 20, 3 * i - 60, 7), 0.5f + float(i));
-  return Written(builder.getHandle(0.5, nanovdb::Vec3d(1, 2, 3), "smoke"));
+  return Written(builder.getHandle(0.5, nanovdb::Vec3d(1, 2, 3), "smoke"), codec);
 }
 
 TEST(NanoVdb, ValuesComeBackWhereTheyWerePut) {
@@ -69,11 +72,25 @@ TEST(NanoVdb, BallsAreFull) {
   const DensityGrid grid = ReadNanoVdb(
       Written(nanovdb::createFogVolumeSphere<float>(60.0f, nanovdb::Vec3f(0), 1.0, 3.0)), "f", "");
   double sum = 0;
-  for (const float value : grid.values) sum += double(value);
+  for (const int brick : grid.table) {
+    for (int i = 0; brick >= 0 && i < 512; ++i)
+      sum += double(grid.values[std::size_t(brick * 512 + i)]);
+  }
+  EXPECT_LT(grid.values.size() / 512, grid.table.size() / 2) << "bricks of one value are shared";
   EXPECT_NEAR(sum, 4.18879 * 58.5 * 58.5 * 58.5, 0.01 * sum);
   EXPECT_EQ(ValueAt(grid, {0, 0, 0}), 1);
   EXPECT_EQ(ValueAt(grid, {40, -30, 20}), 1);
   EXPECT_EQ(ValueAt(grid, {62, 0, 0}), 0);
+}
+
+TEST(NanoVdb, CompressedFilesAreTheSame) {
+  const std::string plain = Scattered<float>();
+  const std::string zip = Scattered<float>(nanovdb::GridClass::FogVolume, nanovdb::io::Codec::ZIP);
+  EXPECT_LT(zip.size(), plain.size() / 8);
+  const DensityGrid a = ReadNanoVdb(plain, "f", ""), b = ReadNanoVdb(zip, "f", "");
+  EXPECT_EQ(a.table, b.table);
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(a.toObject, b.toObject);
 }
 
 void ExpectError(const std::string& bytes, const std::string& name, const char* message) {
@@ -92,6 +109,11 @@ TEST(NanoVdb, OtherFilesGiveAnError) {
   ExpectError(good, "flame", "there is no grid called 'flame'");
   ExpectError(good.substr(0, good.size() / 2), "", "the file ends within a grid");
   ExpectError(Scattered<float>(nanovdb::GridClass::LevelSet), "", "level set");
+  std::string packed = Scattered<float>(nanovdb::GridClass::FogVolume, nanovdb::io::Codec::ZIP);
+  packed[packed.size() / 2] = char(packed[packed.size() / 2] + 1);
+  ExpectError(packed, "", "damaged");
+  packed[14] = 2;  // the codec: Blosc
+  ExpectError(packed, "", "compressed by a codec that is not read");
   nanovdb::GridBuilder<nanovdb::Vec3f> vectors(nanovdb::Vec3f(0));
   vectors.getAccessor().setValue(Coord(0), nanovdb::Vec3f(1));
   ExpectError(Written(vectors.getHandle(1.0, nanovdb::Vec3d(0), "v")), "v", "not read");
