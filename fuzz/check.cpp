@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -35,6 +36,7 @@ void CheckScene(const scene::Scene& scene) {
   for (const scene::Image& image : scene.images)
     for (const float value : image.floats) CHECK(std::isfinite(value));
   for (const scene::DensityGrid& grid : scene.grids) CheckGrid(grid);
+  for (const scene::LightProfile& profile : scene.profiles) CheckProfile(profile);
   const scene::Box3 box = scene::BoundsOf(scene);
   CHECK(box.Empty() || std::isfinite(box.Size().x + box.Size().y + box.Size().z));
 }
@@ -47,6 +49,16 @@ void CheckGrid(const scene::DensityGrid& grid) {
   for (const float value : grid.values) CHECK(std::isfinite(value) && value >= 0);
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) CHECK(std::isfinite(float(grid.toObject[column][row])));
+}
+
+void CheckProfile(const scene::LightProfile& profile) {
+  const auto areAngles = [](const std::vector<float>& angles, float most) {
+    return std::ranges::is_sorted(angles) && angles.front() >= 0 && angles.back() <= most;
+  };
+  CHECK(profile.verticals.size() >= 2 && areAngles(profile.verticals, 3.1416f));
+  CHECK(!profile.horizontals.empty() && areAngles(profile.horizontals, 6.2832f));
+  CHECK(profile.intensities.size() == profile.verticals.size() * profile.horizontals.size());
+  for (const float value : profile.intensities) CHECK(std::isfinite(value) && value >= 0);
 }
 
 void CheckPicture(const image::Image& picture, const image::Metadata& metadata) {

@@ -16,6 +16,8 @@ void CheckScene(const scene::Scene& scene);
 
 void CheckGrid(const scene::DensityGrid& grid);
 
+void CheckProfile(const scene::LightProfile& profile);
+
 void CheckPicture(const image::Image& picture, const image::Metadata& metadata);
 
 // A message for a person: not empty and no novel.

@@ -20,7 +20,7 @@ using snell::kernel::vec3;
 
 namespace {
 
-constexpr float VoxelSize = 1.0f / 28;
+constexpr float VoxelSize = 1.0f / 36;
 
 struct Ball {
   vec3 center;
@@ -55,9 +55,9 @@ float Density(const std::vector<Ball>& balls, vec3 p) {
   float sum = 0;
   for (const Ball& ball : balls) sum += std::exp(24 * (ball.radius - Length(p - ball.center)));
   float depth = std::log(sum) / 24;
-  depth += 0.16f * FractalNoise(p * 3.5f + vec3(7, 3, 5), 4);
+  depth += 0.22f * FractalNoise(p * 3.2f + vec3(7, 3, 5), 4);
   depth = std::min(depth, p.y + 0.08f * FractalNoise(p * 5.0f, 3));
-  const float x = std::clamp(depth / 0.14f, 0.0f, 1.0f);
+  const float x = std::clamp(depth / 0.09f, 0.0f, 1.0f);
   return x * x * (3 - 2 * x);
 }
 
@@ -72,9 +72,9 @@ int main(int argc, char** argv) {
   nanovdb::GridBuilder<float, nanovdb::Fp4> builder(0.0f, nanovdb::GridClass::FogVolume);
   builder.enableDithering(true);
   auto accessor = builder.getAccessor();
-  for (int x = -60; x <= 60; ++x) {
-    for (int y = -4; y <= 64; ++y) {
-      for (int z = -40; z <= 40; ++z) {
+  for (int x = -80; x <= 80; ++x) {
+    for (int y = -8; y <= 84; ++y) {
+      for (int z = -54; z <= 54; ++z) {
         const float density = Density(balls, vec3(float(x), float(y), float(z)) * VoxelSize);
         if (density > 0.01f) accessor.setValue(nanovdb::Coord(x, y, z), density);
       }

@@ -8,6 +8,7 @@
 #include "cpu/flatten_closure.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_medium.h"
+#include "cpu/flatten_profile.h"
 #include "cpu/flatten_texture.h"
 #include "kernel/math.h"
 
@@ -314,6 +315,7 @@ static bool IsFound(const scene::Light& light, scene::Integrator integrator, boo
 
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
   const std::vector<std::string> groups = scene::LightGroupsOf(scene);
+  const std::vector<uint> profiles = FlattenProfiles(scene, flat);
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
     const uint group = scene::LightGroupIndex(groups, light.group);
@@ -325,6 +327,10 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
+    if (light.profile >= 0) {
+      flat.lights.back().profile = profiles[std::size_t(light.profile)];
+      SetProfileFrame(light, flat.lights.back());
+    }
     flat.lights.back().group = group;
     flat.lights.back().found = IsFound(light, flat.integrator, isSun) ? 1 : 0;
 

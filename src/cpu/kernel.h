@@ -66,6 +66,7 @@ struct Kernel {
 #include "kernel/scene_medium.h"
 #include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_terminator.h"

@@ -156,6 +156,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
       LET(Light) light = lights[source];
       aovs[0].group = light.group;
       li = SampleLi(light, from, u);
+      li.irradiance = li.irradiance * ProfileShare(light, from);
       // Rays that start inside a light's sphere do not meet it
       bool isInside = light.kind == LIGHT_SPHERE && Length(light.position - from) <= light.radius;
       if (light.found == 1u && !isInside) lightPdf = PdfLi(light, from, li.wi, li.distance);

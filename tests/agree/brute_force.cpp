@@ -89,6 +89,7 @@ struct BruteForceKernel {
 #include "kernel/scene_medium.h"
 #include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_terminator.h"

@@ -16,6 +16,7 @@ AovSample aovs[1];
 #include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"

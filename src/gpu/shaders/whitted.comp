@@ -18,6 +18,7 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"

@@ -3,6 +3,9 @@
 // Media, by their coefficients: around all objects, or within a boundary that is not seen (materials of type "volume").
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "io/grid/nanovdb.h"
 #include "io/toml/sections.h"
 #include "util/file.h"
@@ -70,11 +73,15 @@ static void LoadGrid(Reader& reader, const Fields& fields, MaterialDraft& draft)
     return;
   }
   try {
+    // A grid that several materials show is read once
     const std::string file = draft.gridFile.string();
-    scene::DensityGrid grid = ReadNanoVdb(ReadFile(draft.gridFile), file, draft.gridName);
-    grid.name = file;
-    draft.volume.grid = int(reader.scene.grids.size());
-    reader.scene.grids.push_back(std::move(grid));
+    const std::string name = draft.gridName.empty() ? file : file + ':' + draft.gridName;
+    std::vector<scene::DensityGrid>& grids = reader.scene.grids;
+    const auto known = std::ranges::find(grids, name, &scene::DensityGrid::name);
+    draft.volume.grid = int(known - grids.begin());
+    if (known != grids.end()) return;
+    grids.push_back(ReadNanoVdb(ReadFile(draft.gridFile), file, draft.gridName));
+    grids.back().name = name;
   } catch (const Error& error) {
     const Diagnostic& first = error.diagnostics().front();
     reader.Report(fmt::format("the grid cannot be read: {}", first.message), fields.PlaceOf("grid"),
