@@ -11,8 +11,12 @@
 
 namespace snell::fuzz {
 
-// Numbers of meshes and pictures are finite, and so is the room that the objects take.
+// Numbers of meshes, pictures and grids are finite, and so is the room that the objects take.
 void CheckScene(const scene::Scene& scene);
+
+void CheckGrid(const scene::DensityGrid& grid);
+
+void CheckProfile(const scene::LightProfile& profile);
 
 void CheckPicture(const image::Image& picture, const image::Metadata& metadata);
 

@@ -7,6 +7,8 @@
 #include "fuzz/check.h"
 #include "fuzz/png_checksums.h"
 #include "image/read.h"
+#include "io/grid/nanovdb.h"
+#include "io/ies/ies.h"
 #include "io/read_scene.h"
 #include "support/scratch_folder.h"
 
@@ -44,11 +46,19 @@ void ReadPicture(const std::string& target, std::string_view bytes) {
   CheckPicture(image::DecodeImage(file, "a." + target, {}, &metadata), metadata);
 }
 
+void ReadGrid(std::string_view bytes) {
+  CheckGrid(io::ReadNanoVdb(std::string(bytes), "a.nvdb", ""));
+}
+
+void ReadProfile(std::string_view bytes) { CheckProfile(io::ReadIes(bytes, "a.ies")); }
+
 }  // namespace
 
 void ReadAs(const std::string& target, std::string_view bytes) {
   try {
     if (std::ranges::count(Pictures, target) > 0) return ReadPicture(target, bytes);
+    if (target == "nvdb") return ReadGrid(bytes);
+    if (target == "ies") return ReadProfile(bytes);
     ReadScene(target, bytes);
   } catch (const Error& error) {
     CheckText(error.what());

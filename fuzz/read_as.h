@@ -8,8 +8,8 @@
 
 namespace snell::fuzz {
 
-// Read `bytes` as the reader called `target` would read a file: the extension of a picture's or a scene's
-// format, or "mtl". Scene files find what lies in fuzz/beside next to them. Fails a CHECK if the result is
+// Read `bytes` as the reader called `target` would read a file: the extension of the format of a picture, a
+// grid, a lamp or a scene, or "mtl". Scene files find what lies in fuzz/beside next to them. Fails a CHECK if the result is
 // not what the reader promises. Throws Error, and whatever else a reader throws by mistake.
 void ReadAs(const std::string& target, std::string_view bytes);
 

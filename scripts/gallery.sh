@@ -15,12 +15,12 @@ snell=${SNELL:-./snell}
 # Each line is a group and its scenes, in the order of a first course.
 groups='Shapes: sphere plane triangle shapes mesh subdivision displacement models textures
 Shading: ambient diffuse specular phong
-Light: light_directional light_point light_spot falloff light_colors sky_noon sky_evening
+Light: light_directional light_point light_spot light_profiles falloff light_colors sky_noon sky_evening
 Shadows: shadows_hard shadows_soft shadows_blending
 Mirrors: mirror_plane mirror_back mirrors_facing
 Cameras: depth_of_field motion_blur fisheye
 Glass: refraction total_reflection absorption glass_of_water
-Media: fog smoke subsurface
+Media: fog smoke cloud subsurface
 Real materials: metals thin_films dispersion
 All together: finale'
 

@@ -27,6 +27,7 @@ inline Kernel BindKernel(const FlatScene& flat, const bvh::Bvh& bvh) {
           flat.textures.data(),
           flat.images.data(),
           flat.texels.data(),
+          flat.grids.data(),
           flat.lights.data(),
           flat.emitters.data(),
           flat.albedos.data(),

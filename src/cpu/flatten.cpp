@@ -78,6 +78,7 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
 
   flat.integrator = settings.integrator.value_or(scene::Integrator::Whitted);
   FlattenMaterials(scene, flat);
+  FlattenGrids(scene, flat);
   FlattenLights(scene, flat);
   const tessellate::FinerMeshes finer =
       tessellate::Tessellate(scene, settings, camera, LookupIn(flat));

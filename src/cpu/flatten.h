@@ -32,7 +32,8 @@ struct FlatScene {
   std::vector<kernel::Physical> physicals;
   std::vector<kernel::Texture> textures;
   std::vector<kernel::Image> images;
-  std::vector<std::uint32_t> texels;
+  std::vector<std::uint32_t> texels;  // the words of images and grids
+  std::vector<kernel::Grid> grids;
   std::vector<kernel::Light> lights;
   std::vector<kernel::Emitter> emitters;  // of the path tracer, as the next; empty for others
   std::vector<float> albedos;
@@ -52,7 +53,7 @@ struct FlatScene {
     visit(positions), visit(normals), visit(uvs), visit(tangents), visit(colors);
     visit(materials), visit(terms), visit(physicals), visit(lights), visit(albedos);
     visit(emitters), visit(lightNodes), visit(motions), visit(textures), visit(images),
-        visit(texels);
+        visit(texels), visit(grids);
   }
   std::uint64_t MemoryBytes() const;
   std::uint64_t TextureBytes() const;  // of these: textures and their pictures

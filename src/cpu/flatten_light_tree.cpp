@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cpu/emission_average.h"
+#include "cpu/flatten_profile.h"
 #include "cpu/light_tree.h"
 #include "kernel/transform.h"
 
@@ -65,7 +66,13 @@ LightCone SpotCone(const Light& light) {
           std::min(outer - thetaO + SpotMargin, HalfPi), false};
 }
 
-LightLeaf LeafOf(const Light& light) {
+// Narrow a cone to where the light's profile shines.
+LightCone ProfileCone(const Light& light, const LightCone& cone, double angle) {
+  if (light.kind == LIGHT_SPOT && cone.thetaO + cone.thetaE < angle) return cone;
+  return {glm::normalize(dvec3(light.direction)), angle, SpotMargin, false};
+}
+
+LightLeaf LeafOf(const FlatScene& flat, const Light& light) {
   LightLeaf leaf;
   leaf.reach = light.range;
   double intensity = double(MaxChannel(light.emission));
@@ -74,6 +81,11 @@ LightLeaf LeafOf(const Light& light) {
     case LIGHT_SPOT:
       SetSphere(light.position, light.radius, leaf);
       leaf.cone = light.kind == LIGHT_SPOT ? SpotCone(light) : Everywhere();
+      if (light.profile != None) {
+        const ProfileBounds bounds = BoundsOfProfile(flat, light.profile);
+        leaf.cone = ProfileCone(light, leaf.cone, bounds.angle);
+        intensity *= bounds.mean;
+      }
       break;
     case LIGHT_SPHERE:
       SetSphere(light.position, light.radius, leaf);
@@ -167,7 +179,7 @@ void FlattenLightTree(FlatScene& flat) {
       flat.params.firstDirectional = i;
       continue;
     }
-    leaves.push_back(LeafOf(light));
+    leaves.push_back(LeafOf(flat, light));
     leaves.back().source = i;
   }
   const std::size_t firstEmitter = leaves.size();

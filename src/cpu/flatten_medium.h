@@ -3,8 +3,9 @@
 // Media: from what scenes say of them to the kernel's coefficients.
 #pragma once
 
+#include "cpu/flatten.h"
 #include "kernel/types.h"
-#include "scene/material.h"
+#include "scene/scene.h"
 
 namespace snell::cpu {
 
@@ -18,5 +19,8 @@ void FlattenSubsurface(const scene::OpenPbr& from, kernel::Physical& physical);
 
 // What fills a clear physical body.
 kernel::Medium InsideOf(const scene::OpenPbr& physical);
+
+// The grids of the scene, behind the words of its images.
+void FlattenGrids(const scene::Scene& scene, FlatScene& flat);
 
 }  // namespace snell::cpu

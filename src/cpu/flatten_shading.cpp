@@ -8,6 +8,7 @@
 #include "cpu/flatten_closure.h"
 #include "cpu/flatten_geometry.h"
 #include "cpu/flatten_medium.h"
+#include "cpu/flatten_profile.h"
 #include "cpu/flatten_texture.h"
 #include "kernel/math.h"
 
@@ -62,6 +63,7 @@ uint FlattenAlpha(scene::AlphaMode mode) {
 
 Light FlattenLight(const scene::Light& light) {
   Light flat = {};
+  flat.profile = None;
   flat.falloff = FlattenFalloff(light.falloff);
   flat.emission = light.color * light.strength;
   flat.position = light.position;
@@ -275,6 +277,7 @@ static Material FlattenMaterial(const scene::Material& from, FlatScene& flat) {
   m.termCount = uint(from.terms.size());
   m.reflection = FlattenModel(from.reflection);
   m.ior = from.ior;
+  m.inside.grid = None;
   m.inside.extinction = Extinction(from.attenuationColor, from.attenuationDistance);
   if (from.volume) {
     m.container = 1;
@@ -312,6 +315,7 @@ static bool IsFound(const scene::Light& light, scene::Integrator integrator, boo
 
 void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
   const std::vector<std::string> groups = scene::LightGroupsOf(scene);
+  const std::vector<uint> profiles = FlattenProfiles(scene, flat);
   uint lightMaterial = None;
   for (const scene::Light& light : scene.lights) {
     const uint group = scene::LightGroupIndex(groups, light.group);
@@ -323,6 +327,10 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
     }
     const uint index = uint(flat.lights.size());
     flat.lights.push_back(FlattenLight(light));
+    if (light.profile >= 0) {
+      flat.lights.back().profile = profiles[std::size_t(light.profile)];
+      SetProfileFrame(light, flat.lights.back());
+    }
     flat.lights.back().group = group;
     flat.lights.back().found = IsFound(light, flat.integrator, isSun) ? 1 : 0;
 
@@ -332,6 +340,7 @@ void FlattenLights(const scene::Scene& scene, FlatScene& flat) {
       lightMaterial = uint(flat.materials.size());
       Material black = {};
       black.ior = 1;
+      black.inside.grid = None;
       black.physical = black.closure = black.bumpMap = None;
       std::ranges::fill(black.textures, None);
       flat.materials.push_back(black);

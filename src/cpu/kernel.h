@@ -31,6 +31,7 @@ struct Kernel {
   const Texture* textures;
   const Image* images;
   const uint* texels;
+  const Grid* grids;
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
@@ -49,6 +50,7 @@ struct Kernel {
 #include "kernel/path.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
+#include "kernel/path_sample.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
 #include "kernel/scene_aov.h"
@@ -58,11 +60,13 @@ struct Kernel {
 #include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_frame.h"
+#include "kernel/scene_grid.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_terminator.h"

@@ -41,6 +41,7 @@ Light RandomLight(test::Random& random, vec3 place) {
                             LIGHT_TRIANGLE, LIGHT_DISK, LIGHT_SPHERE};
   Light light = {};
   light.kind = Kinds[random.Index(6)];
+  light.profile = kernel::None;
   const bool isPhysical = random.Chance(0.7);
   light.falloff = isPhysical ? FALLOFF_INVERSE_SQUARE : random.Index(2);
   light.factor = float(random.LogUniform(0.3, 3));
@@ -201,6 +202,7 @@ TEST(LightTree, ByPowerIsProportionalToIt) {
   flat.params = {};
   for (int i = 0; i < 10; ++i) {
     Light light = {};
+    light.profile = kernel::None;
     light.falloff = FALLOFF_INVERSE_SQUARE;
     light.emission = Spectrum(float(i));
     light.position = vec3(float(i * i), 0, 0);

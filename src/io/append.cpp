@@ -51,6 +51,10 @@ void AppendResources(scene::Scene& from, scene::Scene& to) {
   for (scene::Texture& texture : from.textures) Shift(texture.image, to.images.size());
   for (scene::Material& material : from.materials)
     VisitTextures(material, [&](int& texture) { Shift(texture, to.textures.size()); });
+  for (scene::Material& material : from.materials) {
+    if (material.volume) Shift(material.volume->grid, to.grids.size());
+  }
+  for (scene::Light& light : from.lights) Shift(light.profile, to.profiles.size());
   for (scene::Object& object : from.objects) {
     Shift(object.material, to.materials.size());
     if (auto* mesh = std::get_if<scene::MeshGeometry>(&object.geometry))
@@ -59,6 +63,8 @@ void AppendResources(scene::Scene& from, scene::Scene& to) {
   MoveBehind(from.images, to.images);
   MoveBehind(from.textures, to.textures);
   MoveBehind(from.materials, to.materials);
+  MoveBehind(from.grids, to.grids);
+  MoveBehind(from.profiles, to.profiles);
   MoveBehind(from.meshes, to.meshes);
 }
 

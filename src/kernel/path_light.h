@@ -7,17 +7,6 @@
 #ifndef SNELL_KERNEL_PATH_LIGHT_H
 #define SNELL_KERNEL_PATH_LIGHT_H
 
-// The next two sample dimensions.
-SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
-  uint seed = HashCombine(s.seed, s.dimension);
-  s.dimension += 1u;
-  if (params.independentSamples == 1u) return IndependentSample2D(s.sampleIndex, seed);
-  return Sobol2D(s.sampleIndex, seed);
-}
-
-// Leave out the next two, so that those after them mean the same in all paths.
-SCENE_FN void PathSkip2D(INOUT(PathState) s) { s.dimension += 1u; }
-
 // The number of the next vertex; 1 is what the camera sees.
 SCENE_FN uint PathVertices(IN(PathState) s) { return s.depth + s.scatterings; }
 
@@ -171,6 +160,7 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
       LET(Light) light = lights[source];
       aovs[0].group = light.group;
       li = SampleLi(light, v.above, u);
+      li.irradiance = li.irradiance * ProfileShare(light, v.above);
       if (light.found == 0u) li.pdf = 0.0f;
     }
   }
@@ -179,9 +169,9 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   Spectrum f = EvalVertex(v, li.wi, pdf);
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  Spectrum arriving = f * li.irradiance *
-                      PathTransmittance(VertexStart(v, li.wi), li.wi, li.distance,
-                                        VertexMedia(v, li.wi), s.ray.time);
+  Spectrum arriving =
+      f * li.irradiance *
+      PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
   // The path's own way finds it, too, unless its density is 0
   float weight = li.pdf > 0.0f ? pick * li.pdf / (pick * li.pdf + pdf) : 1.0f;
   return arriving * (weight / pick);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A path's way through the medium between two surfaces: it may be absorbed, and it may be scattered before it gets to
-// the next surface. Each step of the path has its code once, for GPUs have no calls. Glow along the way is added in closed form. Reads all buffers of the scene.
+// the next surface. Each step of the path has its code once, for GPUs have no calls. Glow along an even medium is added
+// in closed form. Reads all buffers of the scene.
 #ifndef SNELL_KERNEL_PATH_MEDIUM_H
 #define SNELL_KERNEL_PATH_MEDIUM_H
 
@@ -27,21 +28,64 @@ SCENE_FN Medium WalkMedium(IN(PathState) s) {
   medium.scattering = medium.extinction * s.walkAlbedo;
   medium.emission = Spectrum(0.0f, 0.0f, 0.0f);
   medium.anisotropy = physical.subsurfaceAnisotropy;
+  medium.grid = None;
   return medium;
+}
+
+// Whether the path is too deep to scatter once more.
+SCENE_FN bool MayNotScatter(IN(PathState) s) {
+  bool deepest = s.depth >= params.maxDepth && s.walk == None;
+  return deepest || s.scatterings >= params.maxVolumeDepth;
+}
+
+// PathFlight through a grid: at a possible collision light is scattered or, where the density is below the greatest one,
+// by chance nothing happens, both by what the path carries (Kutz et al. 2017, "Spectral and decomposition tracking for
+// rendering heterogeneous volumes").
+SCENE_FN uint PathFlightInGrid(INOUT(PathState) s, IN(Medium) medium, uint object, float distance,
+                               OUT(float) t) {
+  LET(Grid) grid = grids[medium.grid];
+  GridRay g = ToGrid(grid, object, s.ray, distance);
+  float sigma = MaxChannel(medium.extinction);
+  // Glow is met at collisions, of which there must be some
+  if (!IsBlack(medium.emission))
+    sigma = Max(sigma, GlowCollisions / Max(grid.greatest * (g.last - g.first), 1e-30f));
+  float greatest;
+  float chance;
+  t = g.first;
+  for (uint i = 0u; i < MaxGridSteps; ++i) {
+    if (!NextCollision(s, grid, g, sigma, t, greatest, chance)) return FLIGHT_THROUGH;
+    float share = GridDensity(grid, g.o + g.d * t) / greatest;
+    if (!IsBlack(medium.emission))
+      PathAdd(s, s.beta * medium.emission * share, 0u, PathVertices(s) - 1u);
+    Spectrum scattered = s.beta * medium.scattering * share;
+    Spectrum passed = s.beta - s.beta * medium.extinction * share;
+    passed = Spectrum(Max(passed.x, 0.0f), Max(passed.y, 0.0f), Max(passed.z, 0.0f));
+    float scatters = MeanChannel(scattered);
+    float both = scatters + MeanChannel(passed);
+    if (both <= 0.0f) return FLIGHT_OVER;
+    if (chance * both < scatters) {
+      s.beta = scattered * (both / scatters);
+      return MayNotScatter(s) ? FLIGHT_OVER : FLIGHT_SCATTERS;
+    }
+    s.beta = passed * (both / (both - scatters));
+  }
+  return FLIGHT_THROUGH;
 }
 
 // Follow the ray through the media around it as far as `distance`; where it scatters before, `t` tells where, and `g` how.
 SCENE_FN uint PathFlight(INOUT(PathState) s, IN(MediumStack) media, float distance, OUT(float) t,
                          OUT(float) g) {
+  uint object = CurrentMedium(media);
   Medium medium;
   if (s.walk != None) {
     medium = WalkMedium(s);
   } else {
-    medium = MediumOf(CurrentMedium(media));
+    medium = MediumOf(object);
   }
+  g = medium.anisotropy;
+  if (medium.grid != None) return PathFlightInGrid(s, medium, object, distance, t);
   float reach = Min(distance, LongestFlight);
   t = reach;
-  g = medium.anisotropy;
   if (!IsBlack(medium.emission))
     PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach), 0u,
             PathVertices(s) - 1u);
@@ -53,8 +97,7 @@ SCENE_FN uint PathFlight(INOUT(PathState) s, IN(MediumStack) media, float distan
   FlightSample flight = SampleFlight(medium, s.beta, reach, PathSample2D(s));
   s.beta = s.beta * flight.weight;
   if (flight.scattered == 0u) return FLIGHT_THROUGH;
-  bool deepest = s.depth >= params.maxDepth && s.walk == None;
-  if (IsBlack(s.beta) || deepest || s.scatterings >= params.maxVolumeDepth) return FLIGHT_OVER;
+  if (IsBlack(s.beta) || MayNotScatter(s)) return FLIGHT_OVER;
   t = flight.t;
   return FLIGHT_SCATTERS;
 }

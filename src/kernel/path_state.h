@@ -12,6 +12,10 @@ KERNEL_BEGIN
 CONST uint RouletteDepth = 4u;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
+// Bricks of a grid and possible collisions in it that one flight may go through.
+CONST uint MaxGridSteps = 8192u;
+// Possible collisions that a flight through a glowing grid has at least, where it is as dense as anywhere in it.
+CONST float GlowCollisions = 4.0f;
 
 // What becomes of a path on its way through media.
 CONST uint FLIGHT_THROUGH = 0u;   // it gets to the end, with what is left of it

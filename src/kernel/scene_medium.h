@@ -35,11 +35,12 @@ SCENE_FN float MediumIor(uint object, float wavelength) {
   return material.ior + material.dispersion * wavelength;
 }
 
-// Beer and Lambert's law over a distance in metres, for the classic integrator.
+// Beer and Lambert's law over a distance in metres, for the classic integrator, which does not show grids.
 SCENE_FN Spectrum MediumTransmittance(uint object, float distance) {
   if (object == None) return Spectrum(1.0f, 1.0f, 1.0f);
-  Spectrum sigma = materials[objects[object].material].inside.extinction;
-  if (IsBlack(sigma)) return Spectrum(1.0f, 1.0f, 1.0f);
+  LET(Medium) medium = materials[objects[object].material].inside;
+  Spectrum sigma = medium.extinction;
+  if (IsBlack(sigma) || medium.grid != None) return Spectrum(1.0f, 1.0f, 1.0f);
   return Exp(sigma * -distance);
 }
 

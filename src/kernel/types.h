@@ -264,12 +264,21 @@ struct Physical {
   uint metalByBase;  // 1: the base colour's texture multiplies the metal's, too
 };
 
-// What fills a space evenly. Absorbs what extinction has more than scattering.
+// Densities at the points of a lattice (scene_grid.h).
+struct Grid {
+  Transform toObject;  // from the lattice to the space of the object that it fills
+  uvec3 bricks;        // along the axes; each is of 8³ points
+  uint firstWord;      // of the bricks' table, among the words of images
+  float greatest;      // of all densities
+};
+
+// What fills a space. Absorbs what extinction has more than scattering.
 struct Medium {
   Spectrum extinction;  // per metre
   Spectrum scattering;  // per metre
   Spectrum emission;    // W/(sr·m³)
   float anisotropy;     // the mean cosine of the angle of deflection
+  uint grid;            // densities that all of it is multiplied by, or None: it is even
 };
 
 CONST uint ALPHA_OPAQUE = 0u;
@@ -329,12 +338,12 @@ struct Light {
   Spectrum emission;  // W/sr (point, spot), W/m² (directional) or W/(sr·m²) (areas)
   vec3 position;      // the centre; a corner of rectangle and triangle
   vec3 direction;     // that the light travels in; an area's normal
-  vec3 edgeU;         // edges of rectangle and triangle, half-axes of a disk
-  vec3 edgeV;
-  float radius;       // of a sphere, or of a point or spot light with soft shadows
-  float area;         // m²; of rectangle, triangle, disk
-  float cosInner;     // spot: full intensity within
-  float cosOuter;     // spot: nothing outside
+  vec3 edgeU;      // edges of rectangle and triangle, half-axes of a disk; of a profile, the unit
+  vec3 edgeV;      // vectors to the horizontal angles 0 and 90°
+  float radius;    // of a sphere, or of a point or spot light with soft shadows
+  float area;      // m²; of rectangle, triangle, disk
+  float cosInner;  // spot: full intensity within
+  float cosOuter;  // spot: nothing outside
   float oneMinusCos;  // directional: of half its angular size
   float factor;       // of the linear falloff
   float range;        // metres; 0: unlimited
@@ -342,6 +351,7 @@ struct Light {
   uint nextSun;       // the next directional light that has a disc in the sky, or None
   uint node;          // its leaf in the light tree, or None
   uint next;          // directional: the next such light, or None
+  uint profile;  // point, spot: its intensities by direction among the words of images, or None
 };
 
 // A triangle or a shape that glows, for the path tracer to sample.

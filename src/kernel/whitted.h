@@ -117,6 +117,7 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
     for (uint i = 0u; i < sampleCount; ++i) {
       LightLiSample li =
           SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
+      li.irradiance = li.irradiance * ProfileShare(light, it.p);
       bool faces = Dot(n, li.wi) > 0.0f;
       if (IsBlack(li.irradiance) || !(faces || Dot(meshNormal, li.wi) > 0.0f)) continue;
 

@@ -26,6 +26,7 @@ using TextureIndex = int;
 using MaterialIndex = int;
 using MeshIndex = int;
 using ImageIndex = int;
+using GridIndex = int;
 
 // --- Pictures and textures ------------------------------------------------------------------------------
 
@@ -109,13 +110,14 @@ struct Displacement {
 
 // --- Media ----------------------------------------------------------------------------------------------
 
-// What fills a space evenly and absorbs and scatters light.
+// What fills a space and absorbs and scatters light.
 struct Medium {
   Spectrum absorption{0.0f};  // per metre, as the next
   Spectrum scattering{0.0f};
   float density = 1;        // multiplies both, and the glow
   float anisotropy = 0;     // the mean cosine of the angle of deflection, in (−1, 1)
   Spectrum emission{0.0f};  // W/(sr·m³)
+  GridIndex grid = -1;      // densities that multiply it all besides; −1: it is even
 };
 
 // --- The classic material -------------------------------------------------------------------------------

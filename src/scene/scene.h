@@ -15,6 +15,8 @@
 #include "image/view.h"
 #include "kernel/types.h"
 #include "scene/aov.h"
+#include "scene/grid.h"
+#include "scene/light_profile.h"
 #include "scene/material.h"
 #include "util/error.h"
 
@@ -52,6 +54,9 @@ struct Light {
   float innerAngle = 0;  // spot: half angles from the axis, radians
   float outerAngle = 0;
   float angularSize = 0;  // directional: diameter as seen from the scene, radians
+  // Point, spot: how it shines by direction; −1: evenly. With one, `strength` is the greatest intensity, `direction` has
+  // the vertical angle 0, and edgeU and edgeV are the horizontal angles 0 and 90°
+  int profile = -1;
 };
 
 // --- Geometry -------------------------------------------------------------------------------------------
@@ -264,6 +269,8 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
+  std::vector<DensityGrid> grids;
+  std::vector<LightProfile> profiles;
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
 };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -52,7 +53,10 @@ class Checker {
     Require(Positive(scene_.environment.ior),
             "the surroundings' index of refraction must be positive");
     CheckMedium(scene_.environment.medium, "the surroundings' medium");
+    Require(scene_.environment.medium.grid < 0, "the surroundings' medium cannot have a grid");
+    for (const DensityGrid& grid : scene_.grids) CheckGrid(grid);
     for (const Light& light : scene_.lights) CheckLight(light);
+    for (const LightProfile& profile : scene_.profiles) CheckProfile(profile);
     CheckLightGroups(LightGroupsOf(scene_));
     for (const Image& image : scene_.images) CheckImage(image);
     for (const Texture& texture : scene_.textures) CheckTexture(texture);
@@ -180,6 +184,13 @@ class Checker {
                   light.outerAngle < 3.1416f,
               bad("needs 0 ≤ inner angle ≤ outer angle ≤ 180 degrees"));
     }
+    Require(
+        light.profile >= -1 && light.profile < int(scene_.profiles.size()) &&
+            (light.profile < 0 || light.kind == LightKind::Point || light.kind == LightKind::Spot),
+        bad("refers to a profile that does not exist, or cannot have one"));
+    if (light.profile >= 0)
+      Require(NonZero(glm::cross(light.edgeU, light.direction)) && NonZero(light.edgeV),
+              bad("needs a direction for the horizontal angle 0"));
     if (light.kind == LightKind::Disk || light.kind == LightKind::Sphere) {
       Require(Positive(light.radius), bad("needs a positive radius"));
     }
@@ -276,6 +287,32 @@ class Checker {
             fmt::format("{} needs finite coefficients that are not negative", what));
     Require(Finite(m.anisotropy) && std::abs(m.anisotropy) < 1,
             fmt::format("{} needs an anisotropy between -1 and 1", what));
+    Require(m.grid >= -1 && m.grid < int(scene_.grids.size()),
+            fmt::format("{} refers to a grid that does not exist", what));
+  }
+
+  void CheckProfile(const LightProfile& p) {
+    const auto angles = [](const std::vector<float>& list, std::size_t least, float most) {
+      return list.size() >= least && std::ranges::is_sorted(list) && list.front() >= 0 &&
+             list.back() <= most;
+    };
+    Require(
+        angles(p.verticals, 2, 3.1416f) && angles(p.horizontals, 1, 6.2832f) &&
+            p.intensities.size() == p.verticals.size() * p.horizontals.size() &&
+            std::ranges::all_of(p.intensities, [](float x) { return std::isfinite(x) && x >= 0; }),
+        fmt::format("the profile '{}' needs rising angles and an intensity for each", p.name));
+  }
+
+  void CheckGrid(const DensityGrid& grid) {
+    const int bricks = int(grid.values.size() / 512);
+    const auto isBrick = [&](int number) { return number >= -1 && number < bricks; };
+    Require(grid.values.size() % 512 == 0 && std::ranges::all_of(grid.table, isBrick) &&
+                grid.table.size() ==
+                    std::size_t(grid.bricks.x) * grid.bricks.y * std::size_t(grid.bricks.z),
+            fmt::format("the grid '{}' has a table that does not match its values", grid.name));
+    Require(std::ranges::all_of(grid.values,
+                                [](float value) { return std::isfinite(value) && value >= 0; }),
+            fmt::format("the grid '{}' needs finite densities that are not negative", grid.name));
   }
 
   void CheckPhysical(const OpenPbr& m, const std::string& what) {

@@ -126,7 +126,9 @@ kernel::Bsdf Surface::At(kernel::vec3 wo, bool inside) {
   view.outside = inside ? 0 : 1;
   kernel::RoleTexels shown;
   for (kernel::vec4& texel : shown.at) texel = kernel::vec4(1.0f);
-  return kernel.BsdfAt(material, shown, Spectrum(1.0f), view);
+  Bsdf bsdf;
+  kernel.BsdfAt(material, shown, Spectrum(1.0f), view, bsdf);
+  return bsdf;
 }
 
 bool Surface::IsClosed() {

@@ -60,6 +60,7 @@ struct BruteForceKernel {
   const Texture* textures;
   const Image* images;
   const uint* texels;
+  const Grid* grids;
   const Light* lights;
   const Emitter* emitters;
   const float* albedos;
@@ -72,6 +73,7 @@ struct BruteForceKernel {
 #include "kernel/path.h"
 #include "kernel/path_light.h"
 #include "kernel/path_medium.h"
+#include "kernel/path_sample.h"
 #include "kernel/path_shadow.h"
 #include "kernel/path_wavelength.h"
 #include "kernel/scene_aov.h"
@@ -81,11 +83,13 @@ struct BruteForceKernel {
 #include "kernel/scene_environment.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_frame.h"
+#include "kernel/scene_grid.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_light_tree.h"
 #include "kernel/scene_medium.h"
 #include "kernel/scene_motion.h"
 #include "kernel/scene_physical.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_surface.h"
 #include "kernel/scene_terminator.h"
@@ -140,6 +144,7 @@ BruteForceSample RenderByBruteForce(const cpu::FlatScene& scene, std::uint32_t s
                           scene.textures.data(),
                           scene.images.data(),
                           scene.texels.data(),
+                          scene.grids.data(),
                           scene.lights.data(),
                           scene.emitters.data(),
                           scene.albedos.data(),

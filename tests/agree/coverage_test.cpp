@@ -123,6 +123,7 @@ TEST(Coverage, Media) {
   EXPECT_EQ(Values(materials, &Material::container), TagsTo(1));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.scattering.x > 0; }));
   EXPECT_TRUE(any_of(materials, [](const Material& m) { return m.inside.emission.x > 0; }));
+  EXPECT_FALSE(Every(&FlatScene::grids).empty());
   EXPECT_TRUE(any_of(Every(&FlatScene::physicals),
                      [](const Physical& p) { return p.subsurface.value > 0; }));
   EXPECT_TRUE(any_of(FlatScenes(), [](const FlatScene& flat) {
@@ -171,6 +172,7 @@ TEST(Coverage, LightsAndFalloffs) {
   EXPECT_EQ(Values(lights, &Light::kind), TagsTo(LIGHT_SPHERE));
   EXPECT_EQ(Values(lights, &Light::falloff), TagsTo(FALLOFF_INVERSE_SQUARE));
   EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.group > 0; }));
+  EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.profile != kernel::None; }));
   EXPECT_TRUE(
       any_of(Every(&FlatScene::materials), [](const Material& m) { return m.lightGroup > 0; }));
   EXPECT_TRUE(any_of(lights, [](const Light& l) { return l.range > 0; }));

@@ -10,7 +10,7 @@ namespace snell::agree {
 
 namespace {
 
-constexpr std::uint32_t BufferCount = 25;  // src/gpu/shaders/buffers.glsl, AOVs and radiance
+constexpr std::uint32_t BufferCount = 26;  // src/gpu/shaders/buffers.glsl, AOVs and radiance
 constexpr std::uint32_t GroupSize = 8;     // local_size_x and local_size_y
 
 template <class T>
@@ -45,7 +45,7 @@ void KernelOnVulkan::Upload(const cpu::FlatScene& scene) {
         Bytes(scene.materials),  Bytes(scene.terms),     Bytes(scene.physicals),
         Bytes(scene.textures),   Bytes(scene.images),    Bytes(scene.texels),
         Bytes(scene.lights),     Bytes(scene.emitters),  Bytes(scene.albedos),
-        Bytes(scene.lightNodes), Bytes(scene.motions)})
+        Bytes(scene.lightNodes), Bytes(scene.motions),   Bytes(scene.grids)})
     buffers_.emplace_back(device_, content);
   tellsMore_ = scene.params.aovs != 0;
   buffers_.emplace_back(device_, (tellsMore_ ? pixels : 1) * sizeof(kernel::AovSample));

@@ -35,6 +35,7 @@ SNELL_GLSL_NAME(uint)
 SNELL_GLSL_NAME(vec2)
 SNELL_GLSL_NAME(vec3)
 SNELL_GLSL_NAME(uvec2)
+SNELL_GLSL_NAME(uvec3)
 SNELL_GLSL_NAME(Camera)
 SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(ScalarSource)
@@ -154,7 +155,11 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Medium",
        {sizeof(Medium),
         {MEMBER(Medium, extinction), MEMBER(Medium, scattering), MEMBER(Medium, emission),
-         MEMBER(Medium, anisotropy)}}},
+         MEMBER(Medium, anisotropy), MEMBER(Medium, grid)}}},
+      {"Grid",
+       {sizeof(Grid),
+        {MEMBER(Grid, toObject), MEMBER(Grid, bricks), MEMBER(Grid, firstWord),
+         MEMBER(Grid, greatest)}}},
       {"Term",
        {sizeof(Term),
         {MEMBER(Term, kind), MEMBER(Term, normalized), MEMBER(Term, exponent),
@@ -181,7 +186,7 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(Light, radius),    MEMBER(Light, area),        MEMBER(Light, cosInner),
          MEMBER(Light, cosOuter),  MEMBER(Light, oneMinusCos), MEMBER(Light, factor),
          MEMBER(Light, range),     MEMBER(Light, found),       MEMBER(Light, nextSun),
-         MEMBER(Light, node),      MEMBER(Light, next)}}},
+         MEMBER(Light, node),      MEMBER(Light, next),        MEMBER(Light, profile)}}},
       {"Emitter",
        {sizeof(Emitter),
         {MEMBER(Emitter, primitive), MEMBER(Emitter, instance), MEMBER(Emitter, node),
@@ -281,7 +286,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 20u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 21u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -37,7 +37,33 @@ SceneBuilder Corner(const char* name) {
   return builder;
 }
 
-// Points and spots by each law, with and without a range.
+// How a lamp shines that was measured: in planes all around, or the same in all.
+scene::LightProfile Measured(std::size_t planes) {
+  scene::LightProfile profile;
+  profile.verticals = {0, 0.3f, 0.7f, 1, 1.6f, 2.5f};
+  profile.horizontals.push_back(0);
+  for (std::size_t i = 1; i < planes; ++i)
+    profile.horizontals.push_back(6.2831853f * float(i) / float(planes - 1));
+  for (std::size_t i = 0; i < planes * profile.verticals.size(); ++i)
+    profile.intensities.push_back(float((i * 7 + 3) % 11));
+  return profile;
+}
+
+// Let lights shine by profiles in turn, as lamps that are turned.
+scene::Scene WithProfiles(scene::Scene scene, scene::LightKind kind) {
+  scene.profiles = {Measured(1), Measured(5)};
+  int count = 0;
+  for (scene::Light& light : scene.lights) {
+    if (light.kind != kind || ++count % 2 == 0) continue;
+    light.profile = count / 2 % 2;
+    if (kind == LightKind::Point) light.direction = glm::normalize(vec3(0.2f, -1, 0.1f));
+    light.edgeU = vec3(1, 0, 0.5f);
+    light.edgeV = vec3(0.5f, 0, -1);
+  }
+  return scene;
+}
+
+// Points and spots by each law, with and without a range, some of them as measured.
 scene::Scene FalloffLaws() {
   SceneBuilder builder = Corner("FalloffLaws");
   const vec3 colors[3] = {{1, 0.4f, 0.3f}, {0.3f, 1, 0.4f}, {0.3f, 0.5f, 1}};
@@ -58,7 +84,7 @@ scene::Scene FalloffLaws() {
     spot.outerAngle = 0.4f;
     builder.Add(spot);
   }
-  return builder.Finish();
+  return WithProfiles(builder.Finish(), LightKind::Point);
 }
 
 // The four areas, visible and reflected in a ball.
@@ -207,7 +233,9 @@ SceneBuilder CornerOfManyLights(const char* name) {
   return builder;
 }
 
-scene::Scene ManyLights() { return CornerOfManyLights("ManyLights").Finish(); }
+scene::Scene ManyLights() {
+  return WithProfiles(CornerOfManyLights("ManyLights").Finish(), LightKind::Spot);
+}
 
 // The same, chosen by power alone.
 scene::Scene ManyLightsByPower() {

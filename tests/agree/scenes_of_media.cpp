@@ -105,8 +105,28 @@ scene::Scene MilkAndWax() {
   return builder.Finish();
 }
 
+// Uneven smoke: a lattice of some bricks, one of them empty, turned and stretched with the ball that holds it.
+scene::Scene Cloud() {
+  SceneBuilder builder = Begin("Cloud");
+  scene::Medium medium = {{0.2f, 0.4f, 0.8f}, {2, 3, 4}, 1, 0.3f, {0.05f, 0.02f, 0.0f}};
+  medium.grid = 0;
+  builder.Place(Sphere{vec3(0, 0, 0), 1}, builder.Add(Volume(medium)),
+                Move({0, 0.2f, 0}) * Turn(30, vec3(1, 2, 0)) * Scale(vec3(1.4f, 1, 0.8f)));
+  builder.Place(Sphere{vec3(0.9f, -0.4f, 1), 0.4f}, builder.Add(Matte({0.3f, 0.6f, 0.8f})));
+  builder.Floor(-1);
+  scene::Scene scene = builder.Finish();
+  scene::DensityGrid grid;
+  grid.bricks = {3, 2, 2};
+  grid.toObject = Move({-1.1f, -0.9f, -0.9f}) * Scale(vec3(0.1f));
+  for (int i = 0; i < 12; ++i) grid.table.push_back(i == 4 ? -1 : i < 4 ? i : i - 1);
+  for (std::uint32_t i = 0; i < 11 * 512; ++i)
+    grid.values.push_back(float((i * 2654435761u) >> 24) / 128.0f);
+  scene.grids.push_back(grid);
+  return scene;
+}
+
 }  // namespace
 
-std::vector<scene::Scene> ScenesOfMedia() { return {Fog(), Smoke(), MilkAndWax()}; }
+std::vector<scene::Scene> ScenesOfMedia() { return {Fog(), Smoke(), MilkAndWax(), Cloud()}; }
 
 }  // namespace snell::agree

@@ -33,5 +33,6 @@ layout(scalar, set = 0, binding = 19) readonly buffer EmitterBuffer { Emitter em
 layout(scalar, set = 0, binding = 20) readonly buffer AlbedoBuffer { float albedos[]; };
 layout(scalar, set = 0, binding = 21) readonly buffer LightNodeBuffer { LightNode lightNodes[]; };
 layout(scalar, set = 0, binding = 22) readonly buffer MotionBuffer { MotionKey motions[]; };
+layout(scalar, set = 0, binding = 23) readonly buffer GridBuffer { Grid grids[]; };
 
 #endif

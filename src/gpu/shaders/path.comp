@@ -16,6 +16,7 @@ AovSample aovs[1];
 #include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_texture.h"
 #include "kernel/scene_physical.h"
@@ -25,6 +26,8 @@ AovSample aovs[1];
 #include "kernel/scene_shadow.h"
 #include "kernel/scene_bsdf.h"
 #include "kernel/scene_frame.h"
+#include "kernel/path_sample.h"
+#include "kernel/scene_grid.h"
 #include "kernel/path_shadow.h"
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_light_tree.h"
@@ -34,8 +37,8 @@ AovSample aovs[1];
 #include "kernel/path.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 23) writeonly buffer AovBuffer { AovSample aovSamples[]; };
-layout(scalar, set = 0, binding = 24) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 24) writeonly buffer AovBuffer { AovSample aovSamples[]; };
+layout(scalar, set = 0, binding = 25) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

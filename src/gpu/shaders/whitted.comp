@@ -18,6 +18,7 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/scene_camera.h"
 #include "kernel/scene_filter.h"
 #include "kernel/scene_image.h"
+#include "kernel/scene_profile.h"
 #include "kernel/scene_environment.h"
 #include "kernel/scene_terminator.h"
 #include "kernel/scene_texture.h"
@@ -29,8 +30,8 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/whitted.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 23) writeonly buffer AovBuffer { AovSample aovSamples[]; };
-layout(scalar, set = 0, binding = 24) writeonly buffer RadianceBuffer { vec3 radiance[]; };
+layout(scalar, set = 0, binding = 24) writeonly buffer AovBuffer { AovSample aovSamples[]; };
+layout(scalar, set = 0, binding = 25) writeonly buffer RadianceBuffer { vec3 radiance[]; };
 layout(push_constant) uniform Dispatch { uint sampleIndex; };
 
 void main() {

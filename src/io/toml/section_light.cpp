@@ -31,8 +31,13 @@ static void AimAt(Reader& reader, const Fields& fields, LightDraft& draft) {
                   fields.PlaceOf("look_at"));
 }
 
-static void CheckSpot(Reader& reader, const Fields& fields, LightDraft& draft) {
+static void CheckPoint(Reader& reader, const Fields& fields, LightDraft& draft) {
   AimAt(reader, fields, draft);
+  FinishProfile(reader, fields, draft);
+}
+
+static void CheckSpot(Reader& reader, const Fields& fields, LightDraft& draft) {
+  CheckPoint(reader, fields, draft);
   draft.light.innerAngle = draft.innerAngle.value_or(0.8f * draft.light.outerAngle);
   if (draft.light.innerAngle > draft.light.outerAngle)
     reader.Report(fmt::format("'inner_angle' is larger than 'outer_angle' ({:.4g}) in {}",
@@ -112,8 +117,10 @@ static Keys<LightDraft> PointKeys() {
                             "Makes the shadows soft, as a ball of this radius would.")
                           .Not({"size"});
   return Join<LightDraft>({In({position}),
-                           StrengthKey("intensity", "W/sr", "Power per solid angle."),
-                           FalloffKeys(), In({radius, SamplesKey()})});
+                           StrengthKey("intensity", "W/sr",
+                                       "Power per solid angle; with `ies`, of its brightest "
+                                       "direction, in place of the file's candela at 683 lm/W."),
+                           FalloffKeys(), In({radius, SamplesKey()}), ProfileKeys()});
 }
 
 static Keys<LightDraft> AreaKeys() {
@@ -161,8 +168,12 @@ static VariantOf<LightDraft> DirectionalLight() {
 }
 
 static VariantOf<LightDraft> PointLight() {
-  return VariantOf<LightDraft>("point", "Shines from a point in all directions.", PointKeys())
-      .Begin([](LightDraft& draft) { draft.light.kind = LightKind::Point; });
+  const auto direction = Field("direction", &Light::direction, Direction(),
+                               "Where the lamp of `ies` points: its vertical angle 0.");
+  return VariantOf<LightDraft>("point", "Shines from a point in all directions.",
+                               Join<LightDraft>({PointKeys(), In({direction}), {LookAtKey()}}))
+      .Begin([](LightDraft& draft) { draft.light.kind = LightKind::Point; })
+      .Checked(CheckPoint);
 }
 
 static VariantOf<LightDraft> SpotLight() {
@@ -305,7 +316,8 @@ bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, 
     light.direction = vec3(glm::normalize(glm::dmat3(toWorld) * dvec3(light.direction)));
 
     // Mirroring would turn the lit side: exchange the edges, and a triangle's corners with them
-    if (glm::determinant(glm::dmat3(toWorld)) < 0) std::swap(light.edgeU, light.edgeV);
+    if (glm::determinant(glm::dmat3(toWorld)) < 0 && light.profile < 0)
+      std::swap(light.edgeU, light.edgeV);
 
     if (!IsFinite(light.position) || !IsFinite(light.edgeU) || !IsFinite(light.edgeV)) {
       reader.Report("the light is moved out of all bounds by its groups", place);

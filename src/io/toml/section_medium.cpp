@@ -3,7 +3,12 @@
 // Media, by their coefficients: around all objects, or within a boundary that is not seen (materials of type "volume").
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
+#include "io/grid/nanovdb.h"
 #include "io/toml/sections.h"
+#include "util/file.h"
 
 namespace snell::io {
 
@@ -60,21 +65,56 @@ Keys<OpenPbr> InteriorKeys() {
                 Number({-1, 1}), "Where light is scattered to there: 1 forward, −1 back.")};
 }
 
+// Take the grid from its file into the scene.
+static void LoadGrid(Reader& reader, const Fields& fields, MaterialDraft& draft) {
+  if (draft.gridFile.empty()) {
+    if (fields.Find("grid_name"))
+      reader.Warn("'grid_name' has no effect without 'grid'", fields.PlaceOf("grid_name"));
+    return;
+  }
+  try {
+    // A grid that several materials show is read once
+    const std::string file = draft.gridFile.string();
+    const std::string name = draft.gridName.empty() ? file : file + ':' + draft.gridName;
+    std::vector<scene::DensityGrid>& grids = reader.scene.grids;
+    const auto known = std::ranges::find(grids, name, &scene::DensityGrid::name);
+    draft.volume.grid = int(known - grids.begin());
+    if (known != grids.end()) return;
+    grids.push_back(ReadNanoVdb(ReadFile(draft.gridFile), file, draft.gridName));
+    grids.back().name = name;
+  } catch (const Error& error) {
+    const Diagnostic& first = error.diagnostics().front();
+    reader.Report(fmt::format("the grid cannot be read: {}", first.message), fields.PlaceOf("grid"),
+                  first.hint);
+  }
+}
+
 static void FinishVolume(Reader& reader, const Fields& fields, MaterialDraft& draft) {
   for (const char* key : {"ior", "thin", "emission", "attenuation_color", "attenuation_distance"}) {
     if (!fields.Find(key)) continue;
     reader.Warn(fmt::format("'{}' has no effect on a volume, whose boundary is not seen", key),
                 fields.PlaceOf(key));
   }
+  LoadGrid(reader, fields, draft);
   draft.material.thin = false;
   draft.material.transparency = {Spectrum(1.0f)};
   draft.material.volume = draft.volume;
 }
 
+static Keys<MaterialDraft> GridKeys() {
+  return {Field("grid", &MaterialDraft::gridFile, SceneFile("cloud.nvdb"),
+                "A NanoVDB file of densities, in the object's space, that multiply absorption, "
+                "scattering and glow.")
+              .Standard("the same density everywhere")
+              .Not({"file", "vdb", "density_grid"}),
+          Field("grid_name", &MaterialDraft::gridName, Text("density"), "Of a grid in the file.")
+              .Standard("the first one")};
+}
+
 VariantOf<MaterialDraft> VolumeMaterial() {
   return VariantOf<MaterialDraft>(
              "volume", "A boundary that is not seen, filled with a medium; for closed shapes.",
-             Within(&MaterialDraft::volume, MediumKeys()))
+             Join<MaterialDraft>({Within(&MaterialDraft::volume, MediumKeys()), GridKeys()}))
       .Begin([](MaterialDraft& draft) { draft.material.priority = -1; })
       .Checked(FinishVolume);
 }

@@ -120,6 +120,8 @@ struct MaterialDraft {
   bool normalized = false;
   scene::OpenPbr physical;
   scene::Medium volume;
+  std::filesystem::path gridFile;
+  std::string gridName;
   // Of physical ones
   std::string metal;
   std::string glass;
@@ -183,9 +185,15 @@ struct LightDraft {
   std::optional<float> power;
   std::optional<float> innerAngle;
   std::vector<vec3> vertices;
+  std::filesystem::path profileFile;
+  float profileRotation = 0;
 };
 
 const SectionOf<LightDraft>& LightSection();
+
+// Keys of lights that shine as measured (section_profile.cpp), and what follows from them.
+Keys<LightDraft> ProfileKeys();
+void FinishProfile(Reader& reader, const Fields& fields, LightDraft& draft);
 
 // The light as it shines when placed by `toWorld`. Reports at `place` if there is no such light.
 bool PlaceLight(Reader& reader, const LightDraft& draft, const Affine& toWorld, const Place& place,
