@@ -126,8 +126,8 @@ kernel::Bsdf Surface::At(kernel::vec3 wo, bool inside) {
   view.outside = inside ? 0 : 1;
   kernel::RoleTexels shown;
   for (kernel::vec4& texel : shown.at) texel = kernel::vec4(1.0f);
-  Bsdf bsdf;
-  kernel.BsdfAt(material, shown, Spectrum(1.0f), view, bsdf);
+  kernel::Bsdf bsdf;
+  kernel.BsdfAt(material, shown, kernel::Spectrum(1.0f), view, bsdf);
   return bsdf;
 }
 
