@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Integrates the directional albedos (kernel/albedo.h) while Snell is built, so that no program spends time on them: prints
-// them as a list of C++ numbers. The same numbers on every machine.
+// Integrates the directional albedos (kernel/albedo.h) while Snell is built, so that no program spends time on them: writes
+// them to the file that it is given, as a list of C++ numbers. The same numbers on every machine.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <vector>
 
 #include "kernel/albedo.h"
@@ -115,6 +116,8 @@ std::vector<float> Integrate() {
 
 }  // namespace snell::cpu
 
-int main() {
-  for (const float albedo : snell::cpu::Integrate()) fmt::print("{:a}f,\n", albedo);
+int main(int, char** argv) {
+  std::ofstream file(argv[1]);
+  for (const float albedo : snell::cpu::Integrate()) file << fmt::format("{:a}f,\n", albedo);
+  return file.flush() ? 0 : 1;
 }
