@@ -7,7 +7,7 @@
 
 namespace snell::cpu {
 
-// AlbedoCount numbers. The first call takes some hundredths of a second; the same numbers on every machine.
+// AlbedoCount numbers. The first call takes a tenth of a second; the same numbers on every machine.
 const std::vector<float>& AlbedoTables();
 
 }  // namespace snell::cpu
