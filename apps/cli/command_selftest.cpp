@@ -50,7 +50,7 @@ std::vector<SelftestGroup> GroupsOf(const SelftestArguments& arguments) {
   return all;
 }
 
-constexpr const char* Row = "{:<12} {:<66} {:>11} {:>11} {:>10}  {}\n";
+constexpr const char* Row = "{:<12} {:<72} {:>11} {:>11} {:>10}  {}\n";
 
 std::string RowOf(const SelftestCheck& check) {
   return fmt::format(Row, check.group, check.name, fmt::format("{:.6g}", check.expected),

@@ -15,6 +15,7 @@ struct Body {
   double tolerance;  // of the light in a furnace
   double asymmetry;  // of light that goes there and back (reciprocity.cpp), at most
   void (*shape)(scene::Material&, float roughness);
+  const char* approximation = "";  // that its light in a furnace owes its tolerance to
 };
 
 // Bodies that absorb nothing.

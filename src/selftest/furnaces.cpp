@@ -34,7 +34,9 @@ void Furnace(const CheckSink& sink, const Body& body) {
     Add(scene, scene::Sphere{}, material);
     worst.Take(MeanRadiance(scene).y / 0.5, float(tenths) / 10);
   }
-  sink(Near("furnace", fmt::format("{}, worst at roughness {:.1f}", body.name, worst.roughness),
+  sink(Near("furnace",
+            fmt::format("{}{}, worst at roughness {:.1f}", body.name, body.approximation,
+                        worst.roughness),
             worst.value, 1, body.tolerance));
 }
 

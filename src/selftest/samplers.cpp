@@ -28,9 +28,10 @@ struct Least {
   void Take(double next) { p = std::min(p, next); }
 };
 
+// Cells are narrow but near the axis and opposite; no lobe points along x.
 double PValueOfBsdf(const kernel::Bsdf& bsdf, vec3 wo, uint seed) {
   return PValueOfDirections(
-      {},
+      {{1, 0, 0}},
       [&](uint i) -> std::optional<vec3> {
         const kernel::BsdfSample s =
             SampleBsdf(bsdf, wo, RandomPoint(i, seed + 1).x, RandomPoint(i, seed));
