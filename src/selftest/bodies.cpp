@@ -54,7 +54,7 @@ const std::vector<Body>& Bodies() {
        " by tables of even ones"},
       {"glass", 8e-3, 0.05, Glass},
       // Rougher, the noise of paths inside has no bound; furnaces.cpp looks at the surface alone
-      {"glass of index 2.4, roughness to 0.6", 8e-3, 0.05,
+      {"glass of index 2.4, roughness to 0.6", 2e-2, 0.05,
        [](Material& m, float roughness) {
          Glass(m, std::min(roughness, 0.6f));
          m.physical->specularIor = m.ior = 2.4f;
