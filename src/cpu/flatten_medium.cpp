@@ -66,32 +66,35 @@ Medium InsideOf(const scene::OpenPbr& physical) {
 
 namespace {
 
-// The value at a point of a grid's lattice.
-float ValueAt(const scene::DensityGrid& grid, glm::uvec3 p) {
-  const glm::uvec3 brick = p / 8u, within = p % 8u;
-  if (glm::any(glm::greaterThanEqual(brick, grid.bricks))) return 0;
-  const std::size_t place =
-      (std::size_t(brick.z) * grid.bricks.y + brick.y) * grid.bricks.x + brick.x;
-  if (grid.table[place] < 0) return 0;
-  return grid
-      .values[std::size_t(grid.table[place]) * 512 + (within.x * 8 + within.y) * 8 + within.z];
+// The greatest value of each brick.
+std::vector<float> GreatestOfBricks(const scene::DensityGrid& grid) {
+  std::vector<float> greatest(grid.values.size() / 512);
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    greatest[i / 512] = std::max(greatest[i / 512], grid.values[i]);
+  return greatest;
 }
 
 // The greatest density within a brick, whose last points are interpolated with the first of the next bricks.
-float Greatest(const scene::DensityGrid& grid, glm::uvec3 brick) {
-  bool empty = true;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const glm::uvec3 at = brick + glm::uvec3(i & 1, i >> 1 & 1, i >> 2);
-    if (glm::any(glm::greaterThanEqual(at, grid.bricks))) continue;
-    empty =
-        empty && grid.table[(std::size_t(at.z) * grid.bricks.y + at.y) * grid.bricks.x + at.x] < 0;
-  }
-  if (empty) return 0;
+float GreatestWithin(const scene::DensityGrid& grid, const std::vector<float>& greatestOf,
+                     glm::uvec3 brick) {
   float greatest = 0;
-  for (std::uint32_t z = 0; z <= 8; ++z) {
-    for (std::uint32_t y = 0; y <= 8; ++y) {
-      for (std::uint32_t x = 0; x <= 8; ++x)
-        greatest = std::max(greatest, ValueAt(grid, brick * 8u + glm::uvec3(x, y, z)));
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const glm::uvec3 next(i & 1, i >> 1 & 1, i >> 2), at = brick + next;
+    if (glm::any(glm::greaterThanEqual(at, grid.bricks))) continue;
+    const int number =
+        grid.table[(std::size_t(at.z) * grid.bricks.y + at.y) * grid.bricks.x + at.x];
+    if (number < 0 || greatestOf[std::size_t(number)] <= greatest) continue;
+    if (i == 0) {
+      greatest = greatestOf[std::size_t(number)];
+      continue;
+    }
+    const glm::uvec3 layers = 8u - next * 7u;
+    for (std::uint32_t x = 0; x < layers.x; ++x) {
+      for (std::uint32_t y = 0; y < layers.y; ++y) {
+        for (std::uint32_t z = 0; z < layers.z; ++z)
+          greatest =
+              std::max(greatest, grid.values[std::size_t(number) * 512 + (x * 8 + y) * 8 + z]);
+      }
     }
   }
   return greatest;
@@ -110,15 +113,16 @@ void FlattenGrids(const scene::Scene& scene, FlatScene& flat) {
     grid.firstWord = std::uint32_t(flat.texels.size());
     const std::size_t firstValue = flat.texels.size() + from.table.size() * 2;
     flat.texels.resize(flat.texels.size() + words);
+    const std::vector<float> greatestOf = GreatestOfBricks(from);
     tbb::parallel_for(std::size_t(0), from.table.size(), [&](std::size_t i) {
       const glm::uvec3 brick(i % from.bricks.x, i / from.bricks.x % from.bricks.y,
                              i / from.bricks.x / from.bricks.y);
       std::uint32_t* const entry = &flat.texels[grid.firstWord + 2 * i];
       entry[0] = from.table[i] < 0 ? kernel::None
                                    : std::uint32_t(firstValue + std::size_t(from.table[i]) * 512);
-      entry[1] = std::bit_cast<std::uint32_t>(Greatest(from, brick));
+      entry[1] = std::bit_cast<std::uint32_t>(GreatestWithin(from, greatestOf, brick));
     });
-    for (const float value : from.values) grid.greatest = std::max(grid.greatest, value);
+    for (const float value : greatestOf) grid.greatest = std::max(grid.greatest, value);
     for (std::size_t i = 0; i < from.values.size(); ++i)
       flat.texels[firstValue + i] = std::bit_cast<std::uint32_t>(from.values[i]);
     flat.grids.push_back(grid);

@@ -45,16 +45,18 @@ ProfileBounds BoundsOfProfile(const FlatScene& flat, uint profile) {
   const auto number = [&](uint word) { return double(std::bit_cast<float>(flat.texels[word])); };
   const uint firstVertical = profile + 2, shares = firstVertical + verticals + horizontals;
 
-  // A ring of directions has the mean of its planes; rings are added up by the trapezoidal rule
+  // A ring of directions has the mean of its planes; the integral of what is linear between rings is known
   ProfileBounds bounds = {0, 0};
-  double sum = 0, before = 0;
+  double sum = 0, ringBefore = 0;
   for (uint v = 0; v < verticals; ++v) {
     const double angle = number(firstVertical + v);
     double ring = 0;
     for (uint h = 0; h < horizontals; ++h) ring += number(shares + h * verticals + v) / horizontals;
-    const double here = ring * std::sin(angle);
-    if (v > 0) sum += 0.5 * (before + here) * (angle - number(firstVertical + v - 1));
-    before = here;
+    const double before = v > 0 ? number(firstVertical + v - 1) : angle;
+    if (angle > before)
+      sum += ringBefore * std::cos(before) - ring * std::cos(angle) +
+             (ring - ringBefore) / (angle - before) * (std::sin(angle) - std::sin(before));
+    ringBefore = ring;
     // The light reaches as far as the next angle
     if (ring > 0) bounds.angle = number(firstVertical + std::min(v + 1, verticals - 1));
   }

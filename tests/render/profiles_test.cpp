@@ -62,7 +62,7 @@ TEST_P(Profiles, TurnWithTheirLamp) {
     return ToThe(Middle(fmt::format(
         "[camera]\nposition = [0, 0, 0]\nlook_at = {}\nup = [1, 1, 1]\nfov = 0.001\n[[light]]\n"
         "type = 'point'\nies = 'planes.ies'\nposition = [0, 0, 0]\n{}[[object]]\nshape = "
-        "'sphere'\nradius = 10\nmaterial = {{ type = 'diffuse' }}\n",
+        "'sphere'\nradius = 10\nmaterial = {{ type = 'diffuse', color = 1 }}\n",
         side, lamp)));
   };
   // Hanging down

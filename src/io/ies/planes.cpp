@@ -30,12 +30,11 @@ bool Within(const std::vector<double>& angles, double x) {
 double ValueAt(const Measurement& m, double vertical, double horizontal) {
   const auto [h, s] = Between(m.horizontals, horizontal);
   const auto [v, t] = Between(m.verticals, vertical);
-  const std::size_t count = m.verticals.size();
-  const auto along = [&](std::size_t plane) {
-    const double* const values = &m.values[plane * count];
-    return values[v] + t * (v + 1 < count ? values[v + 1] - values[v] : 0);
-  };
-  return along(h) + (s > 0 ? s * (along(h + 1) - along(h)) : 0);
+  const double* const plane = &m.values[h * m.verticals.size() + v];
+  const double here = std::lerp(plane[0], plane[1], t);
+  if (s == 0) return here;
+  const double* const next = plane + m.verticals.size();
+  return std::lerp(here, std::lerp(next[0], next[1], t), s);
 }
 
 // --- Type C -------------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 
 #include "io/toml/sections.h"
 #include "io/toml/test_scene.h"
+#include "util/file.h"
 
 namespace snell::io {
 namespace {
@@ -118,12 +119,16 @@ const char* const Chair = R"({"asset": {"version": "2.0"}, "materials": [{"name"
 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
 "nodes": [{"mesh": 0}], "scenes": [{"name": "Night", "nodes": [0]}]})";
 
+const char* const Lamp = "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 9\n0 90\n0\n100 50\n";
+
 std::vector<std::string> ErrorsOf(const std::string& text) {
   TestScene scene(text);
   if (text.find("bricks.png") != std::string::npos) scene.Write("bricks.png", OnePixel);
   if (text.find("sky.hdr") != std::string::npos) scene.Write("sky.hdr", OnePixel);
   if (text.find("bunny.ply") != std::string::npos) scene.Write("bunny.ply", Bunny);
   if (text.find("chair.gltf") != std::string::npos) scene.Write("chair.gltf", Chair);
+  if (text.find("lamp.ies") != std::string::npos) scene.Write("lamp.ies", Lamp);
+  if (text.find("cloud.nvdb") != std::string::npos) scene.Write("cloud.nvdb", ReadFile(SNELL_GRID));
   return scene.Errors();
 }
 
