@@ -12,7 +12,7 @@
 SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.seed = params.seed;
   if (params.independentSamples == 1u) s.seed = HashCombine(HashCombine(s.seed, sampleIndex), 1u);
-  s.sampleIndex = PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed);
+  s.sampleIndex = bitfieldReverse(PixelSampleIndex(pixel, sampleIndex, params.samplesLog2, s.seed));
   s.dimension = 0u;
   s.rays.reflected = 0u;
   s.rays.refracted = 0u;
@@ -292,8 +292,10 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     return;
   }
 
-  // Gather the light of one source. Below a surface none is sampled: it comes in where the path gets out
-  if (s.walk == None) {
+  // Gather the light of one source. Below a surface none is sampled: it comes in where the path gets out. Nor at mirrors and
+  // clear glass, which do not scatter it here
+  bool gathers = v.inMedium == 1u || !IsPerfectlySmooth(v.bsdf);
+  if (s.walk == None && gathers) {
     Spectrum sampled = SampledLight(s, v);
     PathAdd(s, s.beta * sampled, aovs[0].group, PathVertices(s) - v.inMedium);
   }

@@ -9,7 +9,7 @@ SCENE_FN vec2 PathSample2D(INOUT(PathState) s) {
   uint seed = HashCombine(s.seed, s.dimension);
   s.dimension += 1u;
   if (params.independentSamples == 1u) return IndependentSample2D(s.sampleIndex, seed);
-  return Sobol2D(s.sampleIndex, seed);
+  return Sobol2DOfReversed(s.sampleIndex, seed);
 }
 
 // Leave out a pair, so that those after it mean the same in all paths.

@@ -43,7 +43,7 @@ struct PathState {
   vec3 lastPoint;
   vec3 lastNormal;  // as the choice of a source saw it there: 0 where light counts from all sides
   uint seed;
-  uint sampleIndex;  // in the sequence of that seed (sobol.h)
+  uint sampleIndex;  // in the sequence of that seed (sobol.h), bit-reversed
   uint dimension;    // pairs of sample dimensions used
   RayCounts rays;
 };

@@ -204,7 +204,8 @@ SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   // Conductor: what single scattering loses comes back, tinted by another reflection
   bool hasBoundary = b.etaFresnel != 1.0f && metalness < 1.0f;
   float conductor = 1.0f;
-  if (hasBoundary || metalness > 0.0f || transmission > 0.0f)
+  bool isRough = !IsSmoothBase(b);
+  if (isRough && (hasBoundary || metalness > 0.0f || transmission > 0.0f))
     conductor = Max(AlbedoIn(CONDUCTOR_ALBEDO, roughness, cosine), 0.05f);
   Spectrum metal = physical.metalColor;
   if (physical.metalByBase == 1u) metal = metal * ShownColor(shown, ROLE_BASE_COLOR) * vertexColor;
@@ -219,10 +220,13 @@ SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
   uint reflectedTable = entering ? REFLECTED_ALBEDO : REFLECTED_INSIDE_ALBEDO;
   uint totalTable = entering ? TOTAL_ALBEDO : TOTAL_INSIDE_ALBEDO;
   float bare = 0.0f;
-  if (hasBoundary)
+  if (hasBoundary && isRough) {
     bare = Min(DielectricAlbedoIn(reflectedTable, b.etaFresnel, roughness, cosine), 1.0f);
+  } else if (hasBoundary) {
+    bare = FrOfEta(cosine, b.etaFresnel);
+  }
   float total = 1.0f;
-  if (transmission > 0.0f)
+  if (transmission > 0.0f && isRough)
     total = Max(DielectricAlbedoIn(totalTable, b.etaFresnel, roughness, cosine), 0.05f);
   Spectrum reflected = one * bare;
   Spectrum totals = one * total;

@@ -49,15 +49,16 @@ FN uint SobolSecond(uint reversedIndex) {
 // The 24 high bits as a float in [0, 1).
 FN float UnitFloat(uint x) { return float(x >> 8) * 5.9604644775390625e-8f; }
 
-// Point `index` of the pair of dimensions that `seed` names, in [0, 1)².
-FN vec2 Sobol2D(uint index, uint seed) {
-  uint shuffled = ScrambleReversed(bitfieldReverse(index), seed);  // bit-reversed
+// Point of the pair of dimensions that `seed` names, in [0, 1)², by its bit-reversed index.
+FN vec2 Sobol2DOfReversed(uint reversedIndex, uint seed) {
+  uint shuffled = ScrambleReversed(reversedIndex, seed);
   uint x =
       bitfieldReverse(ScrambleReversed(bitfieldReverse(shuffled), HashUint(seed ^ 0xa511e9b3u)));
   uint y = bitfieldReverse(
       ScrambleReversed(bitfieldReverse(SobolSecond(shuffled)), HashUint(seed ^ 0x63d83595u)));
   return vec2(UnitFloat(x), UnitFloat(y));
 }
+FN vec2 Sobol2D(uint index, uint seed) { return Sobol2DOfReversed(bitfieldReverse(index), seed); }
 
 // Point `index` of a row of independent random points, for comparison.
 FN vec2 IndependentSample2D(uint index, uint seed) {
