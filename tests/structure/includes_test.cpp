@@ -52,8 +52,9 @@ std::string RoomOf(const std::string& path) {
 bool IsTest(const std::string& path) { return path.ends_with("_test.cpp"); }
 
 // The file that an #include "name" means: beside the file that includes it, or below a root. Configured
-// headers count if their template exists.
+// headers count if their template exists; what the build makes ends in .inc and is its room's own.
 std::optional<std::string> Resolve(const std::string& from, const std::string& name) {
+  if (name.ends_with(".inc")) return from;
   for (const std::string& path :
        {Beside(from, name), "src/" + name, "apps/" + name, "tests/" + name}) {
     if (Exists(path) || Exists(path + ".in")) return path;
