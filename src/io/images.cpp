@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "image/color.h"
+#include "image/read.h"
 #include "io/mesh/text.h"
 #include "util/file.h"
 
@@ -51,8 +52,7 @@ void StoreFloats(const image::Image& picture, ImageUse use, scene::Image& texels
   }
 }
 
-}  // namespace
-
+// As bytes, four channels each; alpha is 255 where the picture has none.
 std::vector<std::uint8_t> ByteTexels(const image::Image& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.pixels.size() * 4);
@@ -63,12 +63,15 @@ std::vector<std::uint8_t> ByteTexels(const image::Image& picture) {
   return bytes;
 }
 
+// How to decode a picture whose numbers are wanted as they are.
 image::ReadOptions RawPictures(const ReadLimits& limits) {
   return {.colorSpace = image::ColorSpace::Raw,
           .limits = {.pixels = limits.picturePixels,
                      .fileBytes = limits.fileBytes,
                      .pixelHint = LiftedBy(&ReadLimits::picturePixels)}};
 }
+
+}  // namespace
 
 scene::Image DecodeTexels(std::string_view bytes, const std::string& name, ImageUse use,
                           const ReadLimits& limits) {

@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "image/image.h"
-#include "image/read.h"
 #include "io/find_file.h"
 #include "io/read_limits.h"
 #include "scene/scene.h"
@@ -25,12 +23,6 @@ namespace snell::io {
 
 // Whether a picture's numbers are colours for the eye or measures such as roughness.
 enum class ImageUse { Color, Data };
-
-// The texels of a picture as bytes, four channels each; alpha is 255 where the picture has none.
-std::vector<std::uint8_t> ByteTexels(const image::Image& picture);
-
-// How to decode a picture whose numbers are wanted as they are.
-image::ReadOptions RawPictures(const ReadLimits& limits);
 
 // The texels of a decoded file. Pictures of 8 bits stay bytes; others become floats. Numbers that are not
 // finite become 0, and so do negative ones of colours. Throws Error with `name` as the file.

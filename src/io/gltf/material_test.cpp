@@ -7,6 +7,7 @@
 #include <fstream>
 #include <glm/matrix.hpp>
 
+#include "image/color.h"
 #include "image/write.h"
 #include "io/gltf/test_files.h"
 
@@ -32,6 +33,40 @@ GltfResult ReadMaterial(const std::string& material, const std::string& members 
 const std::string OneTexture =
     R"(, "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "one.png"}],
 "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9729, "minFilter": 9729}])";
+
+// Pictures of 16 bits keep them: encoded colours are decoded, numbers stay.
+TEST(GltfMaterial, PicturesOf16Bits) {
+  GltfBuilder builder;
+  builder.AddTriangle();
+  const TemporaryFile file(
+      "a.gltf",
+      builder.Mesh(
+          R"({"attributes": {"POSITION": 0}, "material": 0})",
+          fmt::format(
+              R"(, "materials": [{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}},
+"metallicRoughnessTexture": {{"index": 0}}}}}}]{})",
+              OneTexture)));
+  image::Image picture(1, 1);
+  const vec3 color(0.3f, 0.0301f, 0.7001f);
+  picture.pixels[0] = color;
+  image::WriteOptions options;
+  options.bits = 16;
+  image::WriteImage(file.path().parent_path() / "one.png", picture, options);
+  const GltfResult result = ReadGltfFile(file.path());
+  ASSERT_EQ(result.error, "");
+  ASSERT_EQ(result.scene.images.size(), 2u);
+  for (const scene::Image& image : result.scene.images) {
+    ASSERT_EQ(image.floats.size(), 4u);
+    EXPECT_TRUE(image.bytes.empty());
+    EXPECT_FALSE(image.srgb);
+    EXPECT_EQ(image.floats[3], 1.0f);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t at = std::size_t(c);
+    EXPECT_NEAR(result.scene.images[0].floats[at], color[c], 2e-5f);
+    EXPECT_NEAR(result.scene.images[1].floats[at], image::EncodeSrgb(color[c]), 1e-5f);
+  }
+}
 
 TEST(GltfMaterial, MetalAndRoughness) {
   const GltfResult result = ReadMaterial(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pictures of a glTF document: from its folder, a data URI or a buffer view to bytes.
-#include "image/read.h"
 #include "io/gltf/textures.h"
 #include "io/gltf/uri.h"
 #include "io/images.h"
@@ -19,11 +18,8 @@ GltfPicture ReadGltfPicture(const GltfDocument& document, std::string_view viewB
       viewBytes = loaded;
     }
     // The numbers in the file are kept: the use of the texture says what they mean, not the file
-    const image::Image decoded =
-        image::DecodeImage(viewBytes, document.path.string(), RawPictures(document.limits));
-    picture.width = decoded.width;
-    picture.height = decoded.height;
-    picture.bytes = ByteTexels(decoded);
+    picture.texels =
+        DecodeTexels(viewBytes, document.path.string(), ImageUse::Data, document.limits);
   } catch (const Error& error) {
     const Diagnostic& cause = error.diagnostics().front();
     picture.fault = cause.message;

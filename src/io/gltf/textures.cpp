@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
+#include "image/color.h"
 #include "io/gltf/nodes.h"
 #include "io/gltf/uri.h"
 #include "util/text.h"
@@ -80,7 +81,7 @@ GltfTextures::GltfTextures(GltfData& data, scene::Scene& scene) : data_(data), s
   std::atomic<std::uint64_t> pixels = 0;
   ParallelInOrder(images.size(), [&](std::uint64_t i, int) {
     GltfPicture picture = ReadGltfPicture(document, bytes.at(images[i]), images[i]);
-    pixels += picture.bytes.size() / 4;
+    pixels += std::uint64_t(picture.texels.width) * std::uint64_t(picture.texels.height);
     if (pixels > document.limits.pixels)
       throw document.Fault(
           "",
@@ -105,20 +106,24 @@ scene::ImageIndex GltfTextures::ImageOf(int image, GltfPictureUse use, double gl
   const auto [entry, isNew] = images_.try_emplace({image, use, gloss}, 0);
   if (!isNew) return entry->second;
   GltfPicture& picture = pictures_[image];
-  scene::Image made;
-  made.name = NameOf(data_.document().images[std::size_t(image)]);
-  made.width = picture.width;
-  made.height = picture.height;
-  made.srgb = use == GltfPictureUse::Color;
   const auto home = home_.find(image);
-  made.bytes = home == home_.end() ? picture.bytes : scene_.images[std::size_t(home->second)].bytes;
+  scene::Image made =
+      home == home_.end() ? picture.texels : scene_.images[std::size_t(home->second)];
+  made.name = NameOf(data_.document().images[std::size_t(image)]);
+  made.srgb = use == GltfPictureUse::Color && made.floats.empty();
   entry->second = scene::ImageIndex(scene_.images.size());
   if (use == GltfPictureUse::Gloss) {
     for (std::size_t i = 3; i < made.bytes.size(); i += 4)
       made.bytes[i] = std::uint8_t(std::lround(255 - gloss * made.bytes[i]));
+    for (std::size_t i = 3; i < made.floats.size(); i += 4)
+      made.floats[i] = float(1 - gloss * double(made.floats[i]));
+  } else if (!made.floats.empty()) {
+    // Encoded colours of 16 bits
+    for (std::size_t i = 0; use == GltfPictureUse::Color && i < made.floats.size(); ++i)
+      if (i % 4 != 3) made.floats[i] = image::DecodeSrgb(made.floats[i]);
   } else if (home == home_.end()) {
     home_[image] = entry->second;
-    picture.bytes = {};
+    picture.texels.bytes = {};
   }
   scene_.images.push_back(std::move(made));
   return entry->second;

@@ -36,15 +36,13 @@ struct GltfTextureInfo {
   GltfValue transform;
 };
 
-// What a picture's bytes mean: encoded colours, numbers, or glossiness in alpha, which becomes roughness:
+// What a picture's numbers mean: encoded colours, numbers, or glossiness in alpha, which becomes roughness:
 // 1 - alpha · gloss.
 enum class GltfPictureUse { Color, Numbers, Gloss };
 
-// A picture as it was decoded: rows from top to bottom, four bytes a pixel.
+// A picture with the numbers that its file has, as bytes if they fit.
 struct GltfPicture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> bytes;
+  scene::Image texels;
   std::string fault;  // why there is none; empty if there is
 };
 
