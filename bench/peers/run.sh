@@ -22,10 +22,6 @@ names=("$@")
 mkdir -p "$work"
 python3 "$here/scenes.py" "$work"
 
-# Lamps are not seen by Cycles' camera: these rows, from the top, are not compared.
-declare -A hidden=([cornell]=80 [balls]=80 [mesh]=0 [lights]=176)
-size=$(sed -n 's/^SIZE = \([0-9]*\).*/\1/p' "$here/scenes.py")
-
 # cycles SCENE SAMPLES SEED OUTPUT: prints "whole sampling first peak", in seconds and MiB.
 cycles() {
   blender -b --python "$here/cycles.py" -- "$1" "$2" "$threads" "$3" "$4" 2>&1 |
@@ -39,11 +35,12 @@ s = json.load(open(sys.argv[1]))
 t = s["seconds"]
 print(t["total"], t["render"], t["total"] - t["render"], s["bytes"]["peak"] / 2**20)' "$work/stats"
 }
-figure() { "$snell" compare "$1" "$2" --crop "0,${hidden[$scene]},$size,$size" | awk -v name="$3" '$1 == name { print $2, $NF }'; }
+figure() { "$snell" compare "$1" "$2" --crop "$crop" | awk -v name="$3" '$1 == name { print $2, $NF }'; }
 
 echo '| scene | mean, Snell / Cycles | RMSE at equal samples | seconds of sampling | time to equal error | start | peak MiB |'
 echo '|---|---|---|---|--:|---|---|'
 for scene in "${names[@]}"; do
+  crop=$(python3 "$here/scenes.py" --crop "$scene")
   ref_s=$work/$scene.snell.$reference.exr ref_c=$work/$scene.cycles.$reference.exr
   [[ -e $ref_s ]] || ours "$scene" 100000 $((100000 + reference)) "$ref_s" >/dev/null
   [[ -e $ref_c ]] || cycles "$scene" "$reference" 1 "$ref_c" >/dev/null

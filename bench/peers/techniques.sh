@@ -37,6 +37,7 @@ figure() { awk -v name="$1" '$1 == name { print $2 }'; }
 echo '| scene | version | seconds of sampling | RMSE | FLIP | time to equal error |'
 echo '|---|---|--:|--:|--:|--:|'
 for scene in "${names[@]}"; do
+  crop=$(python3 "$here/scenes.py" --crop "$scene")
   ref=$work/$scene.snell.$reference.exr
   [[ -e $ref ]] || render "$work/$scene.toml" 100000 $((100000 + reference)) "$ref" >/dev/null
   best=
@@ -44,7 +45,7 @@ for scene in "${names[@]}"; do
     sed "s/^\[render\]$/[render]\n${keys[$version]}/" "$work/$scene.toml" >"$work/$scene.$version.toml"
     for ((round = 0; round < rounds; ++round)); do
       seconds=$(render "$work/$scene.$version.toml" $((round * samples)) $(((round + 1) * samples)) "$work/t.exr")
-      difference=$("$snell" compare "$ref" "$work/t.exr")
+      difference=$("$snell" compare "$ref" "$work/t.exr" --crop "$crop")
       echo "$seconds $(figure RMSE <<<"$difference") $(figure FLIP <<<"$difference")"
     done >"$work/rows"
     row=$(awk '{ t += $1; e += $2 * $2; f += $3 } END { print t / NR, sqrt(e / NR), f / NR, t / NR * e / NR }' "$work/rows")
