@@ -216,6 +216,8 @@ FN BaseSplit SplitAtBase(IN(Bsdf) b, float cosine) {
   return split;
 }
 
+// Whether it is matt and nothing else.
+FN bool IsLambertian(IN(Bsdf) b) { return b.pickDiffuse == 1.0f && b.diffuseRoughness == 0.0f; }
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
 FN bool IsSmoothCoat(IN(Bsdf) b) { return Max(b.coatAlpha.x, b.coatAlpha.y) < SmoothAlpha; }
 // Whether it only mirrors and refracts.
@@ -273,6 +275,10 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
   Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
   pdf = 0.0f;
   if (wo.z <= 0.0f || wi.z == 0.0f) return f;
+  if (IsLambertian(b)) {
+    pdf = Max(wi.z, 0.0f) * InvPi;
+    return b.diffuse * pdf;
+  }
   Spectrum through = ThroughLayers(b, wo, wi);
   if (wi.z < 0.0f) {
     // Through the surface
@@ -312,7 +318,6 @@ FN Spectrum EvalBsdf(IN(Bsdf) b, vec3 wo, vec3 wi, OUT(float) pdf) {
   if (b.pickDiffuse > 0.0f) {
     f += through * EvalEon(b.diffuse, b.diffuseColor, b.diffuseRoughness, wo, wi) * wi.z;
     pdf += b.pickDiffuse * wi.z * InvPi;
-    if (b.pickDiffuse == 1.0f) return f;
   }
   vec3 m = Normalize(wo + wi);
   float cosine = Max(Dot(wo, m), 1e-7f);
@@ -421,6 +426,11 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
   s.isSpecular = 0u;
   s.transmitted = wi.z < 0.0f ? 1u : 0u;
   s.wanders = 0u;
+  if (IsLambertian(b)) {
+    s.pdf = wi.z * InvPi;
+    s.weight = b.diffuse;
+    return s;
+  }
   Spectrum f = EvalBsdf(b, wo, wi, s.pdf);
   if (s.pdf <= 0.0f) return NoBsdfSample();
   s.weight = f / s.pdf;

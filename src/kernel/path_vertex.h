@@ -48,6 +48,12 @@ FN Spectrum EvalVertex(IN(PathVertex) v, vec3 wi, OUT(float) pdf) {
     pdf = EvalPhase(v.g, v.wo, wi);
     return Spectrum(pdf, pdf, pdf);
   }
+  if (IsLambertian(v.bsdf)) {
+    float cosine = Dot(wi, v.z);
+    if (cosine <= 0.0f || Dot(wi, v.n) <= 0.0f) return Spectrum(0.0f, 0.0f, 0.0f);
+    pdf = cosine * InvPi;
+    return v.bsdf.diffuse * pdf;
+  }
   vec3 local = vec3(Dot(wi, v.x), Dot(wi, v.y), Dot(wi, v.z));
   // Both normals must agree on the side
   if (local.z * Dot(wi, v.n) <= 0.0f) return Spectrum(0.0f, 0.0f, 0.0f);
