@@ -89,6 +89,16 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
             "How light is followed (the scene's, or path where a material is physical)");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
+  AddValue(command, "--max-diffuse-depth", "N", WholeNumber(0, MaxSamples), a.maxDiffuseDepth,
+           "Path tracer: reflections by matt surfaces along a path, 1: they show direct light only "
+           "(the scene's, or any)");
+  AddValue(command, "--max-specular-depth", "N", WholeNumber(0, MaxSamples), a.maxSpecularDepth,
+           "Path tracer: the same by mirrors, smooth or glossy");
+  AddValue(command, "--max-transmission-depth", "N", WholeNumber(0, MaxSamples),
+           a.maxTransmissionDepth, "Path tracer: the same of passages through surfaces");
+  AddChoice(command, "--caustics", "full|regularized|none", a.caustics,
+            "Path tracer: light that mirrors and glass throw onto rough surfaces, regularized: "
+            "blurred for less noise (the scene's, or full)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
            "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
   AddValue(command, "--clamp-indirect", "X", Number(0, 1e9f), a.clampIndirect,
@@ -149,6 +159,10 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   if (height > 0) options.height = height;
   options.spp = arguments.spp;
   options.maxDepth = arguments.maxDepth;
+  options.maxDiffuseDepth = arguments.maxDiffuseDepth;
+  options.maxSpecularDepth = arguments.maxSpecularDepth;
+  options.maxTransmissionDepth = arguments.maxTransmissionDepth;
+  options.caustics = arguments.caustics;
   options.minContribution = arguments.minContribution;
   options.clampIndirect = arguments.clampIndirect;
   options.integrator = arguments.integrator;

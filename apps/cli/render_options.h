@@ -38,6 +38,10 @@ struct RenderArguments {
   std::optional<std::pair<std::uint32_t, std::uint32_t>> samples;
   std::optional<std::string> integrator;
   std::optional<int> maxDepth;
+  std::optional<int> maxDiffuseDepth;
+  std::optional<int> maxSpecularDepth;
+  std::optional<int> maxTransmissionDepth;
+  std::optional<std::string> caustics;
   std::optional<float> minContribution;
   std::optional<float> clampIndirect;
 

@@ -32,6 +32,14 @@ scene::Aov AovNamed(const std::string& name) {
               fmt::format("the AOVs are: {}", fmt::join(KnownAovs(), ", ")));
 }
 
+scene::Caustics CausticsNamed(const std::string& name) {
+  if (name == "full") return scene::Caustics::Full;
+  if (name == "regularized") return scene::Caustics::Regularized;
+  if (name == "none") return scene::Caustics::None;
+  throw Error(fmt::format("there are no caustics '{}'", name), {},
+              "the choices are: full, regularized, none");
+}
+
 scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions& options) {
   scene::RenderSettings settings = scene.settings;
   // One of width and height given alone keeps the aspect ratio
@@ -46,6 +54,11 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
   settings.height = options.height.value_or(settings.height);
   settings.spp = options.spp.value_or(settings.spp);
   settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
+  settings.maxDiffuseDepth = options.maxDiffuseDepth.value_or(settings.maxDiffuseDepth);
+  settings.maxSpecularDepth = options.maxSpecularDepth.value_or(settings.maxSpecularDepth);
+  settings.maxTransmissionDepth =
+      options.maxTransmissionDepth.value_or(settings.maxTransmissionDepth);
+  if (options.caustics) settings.caustics = CausticsNamed(*options.caustics);
   settings.minContribution = options.minContribution.value_or(settings.minContribution);
   settings.clampIndirect = options.clampIndirect.value_or(settings.clampIndirect);
   if (options.integrator) {
