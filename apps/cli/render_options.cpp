@@ -56,12 +56,6 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddChoice(command, "--denoiser", "nfor|oidn", a.denoiser,
             "The same by the built-in denoiser or by Open Image Denoise (the latter if it is "
             "installed)");
-  AddValue<std::vector<std::string>>(
-      command, "--aov", "LIST", ReadAovs, a.aovs,
-      fmt::format(
-          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
-          "between them: {}",
-          fmt::join(KnownAovs(), ", ")));
 }
 
 namespace {
@@ -140,6 +134,12 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
               "A scene or a mesh (" + KnownSceneExtensions() + ")");
   command.option_defaults()->group("Output");
   AddOutputOptions(command, arguments);
+  AddValue<std::vector<std::string>>(
+      command, "--aov", "LIST", ReadAovs, arguments.aovs,
+      fmt::format(
+          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
+          "between them: {}",
+          fmt::join(KnownAovs(), ", ")));
   command.option_defaults()->group("View");
   AddViewOptions(command, arguments);
   command.option_defaults()->group("Quality");
@@ -170,16 +170,18 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.crop = arguments.crop;
   options.samples = arguments.samples;
   options.aovs = arguments.aovs;
-  if (arguments.denoiser)
-    options.denoiser = *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
-  else if (arguments.denoise)
-    options.denoiser = Denoiser::Automatic;
+  options.denoiser = DenoiserOf(arguments);
   options.seconds = arguments.film.seconds;
   options.noise = arguments.film.noise;
   options.exposure = arguments.exposure;
   options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
   return options;
+}
+
+Denoiser DenoiserOf(const RenderArguments& arguments) {
+  if (arguments.denoiser) return *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
+  return arguments.denoise ? Denoiser::Automatic : Denoiser::None;
 }
 
 std::vector<Output> OutputsOf(const RenderArguments& arguments) {

@@ -61,6 +61,8 @@ void AddOutputOptions(CLI::App& command, RenderArguments& arguments);
 // `outputs` are the pictures that will be written.
 RenderOptions RenderOptionsOf(const RenderArguments& arguments, const std::vector<Output>& outputs);
 
+Denoiser DenoiserOf(const RenderArguments& arguments);
+
 // The pictures to write, none if only a film is, without what is known only later (exposure, metadata). Throws UsageError if an
 // option has nothing to work on.
 std::vector<Output> OutputsOf(const RenderArguments& arguments);

@@ -12,7 +12,6 @@
 #include "api/version.h"
 #include "cpu/render_cpu.h"
 #include "render/noise.h"
-#include "render/oidn.h"
 #include "scene/framing.h"
 #include "scene/settings.h"
 #include "scene/validate.h"
@@ -131,24 +130,12 @@ void CheckMemory(const render::PixelRect& rect, std::uint64_t aovBytes) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
-void AddLayers(const render::AovFilm& aovs, Picture& picture) {
-  image::Layers layers = aovs.ToLayers();
-  for (image::Layer& layer : layers.layers)
-    picture.layers.push_back(
-        {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
-  picture.layerMetadata = std::move(layers.metadata);
-}
-
 // Add the picture without noise to the result.
-void Denoise(const render::AovFilm& aovs, Denoiser denoiser, RenderResult& result) {
+void Denoise(const render::Film& film, Denoiser denoiser, RenderResult& result) {
   const Timer timer;
-  const render::DenoiseInput input = aovs.ToDenoiseInput();
-  const bool byOidn =
-      denoiser == Denoiser::Oidn || (denoiser == Denoiser::Automatic && render::HasOidn());
-  const image::Image image =
-      byOidn ? render::DenoiseByOidn(input) : render::DenoiseByRegression(input);
-  result.denoised = ToPicture(image);
-  result.report.denoiser = byOidn ? "Open Image Denoise" : "nfor";
+  Denoised denoised = DenoisedOf(film, denoiser);
+  result.denoised = std::move(denoised.picture);
+  result.report.denoiser = denoised.by;
   result.report.denoiseSeconds = timer.Seconds();
 }
 
@@ -240,16 +227,12 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   FilmKeeper keeper(options.film);
   render::Film film = keeper.Begin(request.rect, firstSample, request.settings);
   const double samplesBefore = SamplesPerPixel(film);
-  if (hasAovs && samplesBefore > 0)
-    throw Error("a render that goes on has no layers and cannot be denoised", {},
-                "checkpoints hold the picture alone; render anew, or without layers and denoising");
   std::optional<render::AovFilm> aovs;
-  if (hasAovs) {
-    aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
-    request.aovs = &*aovs;
-  }
+  if (hasAovs) aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
+  keeper.SetAovs(std::move(aovs), film);
   film.origin().notes = {{"scene", contents.name},
                          {"exposure", fmt::format("{}", request.settings.exposure)},
+                         {"view", scene.view()},
                          {"spp", fmt::format("{}", request.settings.spp)}};
   request.stop.noise = options.noise.value_or(0);
   request.stop.noiseScale = std::exp2(double(options.exposure.value_or(request.settings.exposure)));
@@ -263,7 +246,6 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
 
   RenderResult result;
   result.picture = PictureOf(film);
-  if (aovs) AddLayers(*aovs, result.picture);
   result.report = ReportOf(statistics);
   result.report.samplesPerPixel = SamplesPerPixel(film);
   result.report.resumedSamples = samplesBefore;
@@ -272,7 +254,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   result.report.checkpointSaved = keeper.saved();
   result.report.filmFault = keeper.outputFault();
   for (const std::string& warning : keeper.warnings()) result.report.warnings.push_back(warning);
-  if (request.settings.denoise && statistics.samples > 0) Denoise(*aovs, options.denoiser, result);
+  if (request.settings.denoise && !film.Empty()) Denoise(film, options.denoiser, result);
   return result;
 }
 
