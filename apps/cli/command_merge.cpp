@@ -42,7 +42,8 @@ int RunMerge(const MergeArguments& arguments) {
   if (arguments.film) CheckFileWritable(*arguments.film);
 
   const std::vector<std::filesystem::path> films(arguments.films.begin(), arguments.films.end());
-  const MergeResult result = MergeFilms(films, arguments.film.value_or(std::string()));
+  const MergeResult result =
+      MergeFilms(films, arguments.film.value_or(std::string()), DenoiserOf(arguments.pictures));
   if (result.emptyPixels > 0 && !arguments.quiet)
     PrintWarning({fmt::format("no film has samples of {}; black there",
                               Plural(result.emptyPixels, "pixel"))});
@@ -51,11 +52,14 @@ int RunMerge(const MergeArguments& arguments) {
   bool allInPlace = true;
   for (Output& output : outputs) {
     output.options.exposure = arguments.pictures.exposure.value_or(result.exposure);
+    output.options.view =
+        arguments.pictures.view.value_or(result.view.empty() ? "srgb" : result.view);
     output.options.metadata = {
         {"Software", "Snell " + Version()},
         {"Scene", Printable(std::filesystem::path(result.scene).filename().string())},
         {"Samples", SamplesText(result.samplesPerPixel)}};
-    const Written file = WriteOrRescue(output, result.picture);
+    if (output.denoised) output.options.metadata.emplace_back("Denoiser", result.denoiser);
+    const Written file = WriteOrRescue(output, output.denoised ? *result.denoised : result.picture);
     PrintFaults(output, file);
     if (!file.path.empty()) written.push_back(file.path.string());
     allInPlace = allInPlace && file.faults.empty();

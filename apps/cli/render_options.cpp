@@ -56,12 +56,6 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
   AddChoice(command, "--denoiser", "nfor|oidn", a.denoiser,
             "The same by the built-in denoiser or by Open Image Denoise (the latter if it is "
             "installed)");
-  AddValue<std::vector<std::string>>(
-      command, "--aov", "LIST", ReadAovs, a.aovs,
-      fmt::format(
-          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
-          "between them: {}",
-          fmt::join(KnownAovs(), ", ")));
 }
 
 namespace {
@@ -89,6 +83,16 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
             "How light is followed (the scene's, or path where a material is physical)");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
            "Longest chain of rays, 1: from the camera only (the scene's, or 16)");
+  AddValue(command, "--max-diffuse-depth", "N", WholeNumber(0, MaxSamples), a.maxDiffuseDepth,
+           "Path tracer: reflections by matt surfaces along a path, 1: they show direct light only "
+           "(the scene's, or any)");
+  AddValue(command, "--max-specular-depth", "N", WholeNumber(0, MaxSamples), a.maxSpecularDepth,
+           "Path tracer: the same by mirrors, smooth or glossy");
+  AddValue(command, "--max-transmission-depth", "N", WholeNumber(0, MaxSamples),
+           a.maxTransmissionDepth, "Path tracer: the same of passages through surfaces");
+  AddChoice(command, "--caustics", "full|regularized|none", a.caustics,
+            "Path tracer: light that mirrors and glass throw onto rough surfaces, regularized: "
+            "blurred for less noise (the scene's, or full)");
   AddValue(command, "--min-contribution", "X", Number(0, 1), a.minContribution,
            "Follow no ray that adds less than this to its pixel (the scene's, or 0.002)");
   AddValue(command, "--clamp-indirect", "X", Number(0, 1e9f), a.clampIndirect,
@@ -130,6 +134,12 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
               "A scene or a mesh (" + KnownSceneExtensions() + ")");
   command.option_defaults()->group("Output");
   AddOutputOptions(command, arguments);
+  AddValue<std::vector<std::string>>(
+      command, "--aov", "LIST", ReadAovs, arguments.aovs,
+      fmt::format(
+          "Layers to write into EXRs, or beside other pictures (the scene's, or none), with commas "
+          "between them: {}",
+          fmt::join(KnownAovs(), ", ")));
   command.option_defaults()->group("View");
   AddViewOptions(command, arguments);
   command.option_defaults()->group("Quality");
@@ -149,6 +159,10 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   if (height > 0) options.height = height;
   options.spp = arguments.spp;
   options.maxDepth = arguments.maxDepth;
+  options.maxDiffuseDepth = arguments.maxDiffuseDepth;
+  options.maxSpecularDepth = arguments.maxSpecularDepth;
+  options.maxTransmissionDepth = arguments.maxTransmissionDepth;
+  options.caustics = arguments.caustics;
   options.minContribution = arguments.minContribution;
   options.clampIndirect = arguments.clampIndirect;
   options.integrator = arguments.integrator;
@@ -156,16 +170,18 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.crop = arguments.crop;
   options.samples = arguments.samples;
   options.aovs = arguments.aovs;
-  if (arguments.denoiser)
-    options.denoiser = *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
-  else if (arguments.denoise)
-    options.denoiser = Denoiser::Automatic;
+  options.denoiser = DenoiserOf(arguments);
   options.seconds = arguments.film.seconds;
   options.noise = arguments.film.noise;
   options.exposure = arguments.exposure;
   options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
   return options;
+}
+
+Denoiser DenoiserOf(const RenderArguments& arguments) {
+  if (arguments.denoiser) return *arguments.denoiser == "oidn" ? Denoiser::Oidn : Denoiser::Nfor;
+  return arguments.denoise ? Denoiser::Automatic : Denoiser::None;
 }
 
 std::vector<Output> OutputsOf(const RenderArguments& arguments) {

@@ -38,6 +38,10 @@ struct RenderArguments {
   std::optional<std::pair<std::uint32_t, std::uint32_t>> samples;
   std::optional<std::string> integrator;
   std::optional<int> maxDepth;
+  std::optional<int> maxDiffuseDepth;
+  std::optional<int> maxSpecularDepth;
+  std::optional<int> maxTransmissionDepth;
+  std::optional<std::string> caustics;
   std::optional<float> minContribution;
   std::optional<float> clampIndirect;
 
@@ -56,6 +60,8 @@ void AddOutputOptions(CLI::App& command, RenderArguments& arguments);
 
 // `outputs` are the pictures that will be written.
 RenderOptions RenderOptionsOf(const RenderArguments& arguments, const std::vector<Output>& outputs);
+
+Denoiser DenoiserOf(const RenderArguments& arguments);
 
 // The pictures to write, none if only a film is, without what is known only later (exposure, metadata). Throws UsageError if an
 // option has nothing to work on.

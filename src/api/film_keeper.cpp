@@ -40,6 +40,17 @@ render::Film FilmKeeper::Begin(const render::PixelRect& rect, std::uint32_t firs
   return film;
 }
 
+void FilmKeeper::SetAovs(std::optional<render::AovFilm> aovs, render::Film& film) const {
+  if (film.Empty()) {
+    film.aovs() = std::move(aovs);
+    return;
+  }
+  const std::string difference = render::AovDifference(aovs, film.aovs());
+  if (!difference.empty())
+    throw Error(fmt::format("the film is of another render: now there are {}", difference),
+                {options_.checkpoint.string()}, "to begin anew, leave out --resume");
+}
+
 void FilmKeeper::Save(const render::Film& film) {
   // What an earlier render has left is not lost because somebody forgot to resume
   const fs::path& path = options_.checkpoint;

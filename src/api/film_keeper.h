@@ -3,6 +3,7 @@
 // What becomes of a render's film: read from a checkpoint, saved now and then, and at the end.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ class FilmKeeper {
   // were: `settings` take the film's spp. Throws Error if it is of other pixels or samples.
   render::Film Begin(const render::PixelRect& rect, std::uint32_t firstSample,
                      scene::RenderSettings& settings) const;
+
+  // Give a film without samples the AOVs that are asked for. Throws Error if one with samples has others.
+  void SetAovs(std::optional<render::AovFilm> aovs, render::Film& film) const;
 
   // How to save while rendering; this must not move as long as that is used. A fault is a warning: the picture is
   // more than its checkpoint.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/film_picture.h"
 
+#include "render/denoise.h"
+#include "render/oidn.h"
+
 namespace snell {
 
 Picture ToPicture(const image::Image& image) {
@@ -15,7 +18,24 @@ Picture ToPicture(const image::Image& image) {
   return picture;
 }
 
-Picture PictureOf(const render::Film& film) { return ToPicture(film.ToImage()); }
+Picture PictureOf(const render::Film& film) {
+  Picture picture = ToPicture(film.ToImage());
+  if (!film.aovs()) return picture;
+  image::Layers layers = film.aovs()->ToLayers();
+  for (image::Layer& layer : layers.layers)
+    picture.layers.push_back(
+        {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
+  picture.layerMetadata = std::move(layers.metadata);
+  return picture;
+}
+
+Denoised DenoisedOf(const render::Film& film, Denoiser denoiser) {
+  const render::DenoiseInput input = film.aovs()->ToDenoiseInput();
+  const bool byOidn =
+      denoiser == Denoiser::Oidn || (denoiser == Denoiser::Automatic && render::HasOidn());
+  if (byOidn) return {ToPicture(render::DenoiseByOidn(input)), "Open Image Denoise"};
+  return {ToPicture(render::DenoiseByRegression(input)), "nfor"};
+}
 
 double SamplesPerPixel(const render::Film& film) {
   std::uint64_t samples = 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "api/picture.h"
+#include "api/render.h"
 #include "image/image.h"
 #include "render/film.h"
 
@@ -13,7 +14,15 @@ namespace snell {
 
 // As plain floats, before black where the picture is open.
 Picture ToPicture(const image::Image& image);
+// With its layers.
 Picture PictureOf(const render::Film& film);
+
+// The film's picture without noise, if it holds what denoising needs, and the name of what has made it.
+struct Denoised {
+  Picture picture;
+  std::string by;
+};
+Denoised DenoisedOf(const render::Film& film, Denoiser denoiser);
 
 // Samples per pixel, the mean over all pixels.
 double SamplesPerPixel(const render::Film& film);

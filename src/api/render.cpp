@@ -12,7 +12,6 @@
 #include "api/version.h"
 #include "cpu/render_cpu.h"
 #include "render/noise.h"
-#include "render/oidn.h"
 #include "scene/framing.h"
 #include "scene/settings.h"
 #include "scene/validate.h"
@@ -32,6 +31,14 @@ scene::Aov AovNamed(const std::string& name) {
               fmt::format("the AOVs are: {}", fmt::join(KnownAovs(), ", ")));
 }
 
+scene::Caustics CausticsNamed(const std::string& name) {
+  if (name == "full") return scene::Caustics::Full;
+  if (name == "regularized") return scene::Caustics::Regularized;
+  if (name == "none") return scene::Caustics::None;
+  throw Error(fmt::format("there are no caustics '{}'", name), {},
+              "the choices are: full, regularized, none");
+}
+
 scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions& options) {
   scene::RenderSettings settings = scene.settings;
   // One of width and height given alone keeps the aspect ratio
@@ -46,6 +53,11 @@ scene::RenderSettings SettingsOf(const scene::Scene& scene, const RenderOptions&
   settings.height = options.height.value_or(settings.height);
   settings.spp = options.spp.value_or(settings.spp);
   settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
+  settings.maxDiffuseDepth = options.maxDiffuseDepth.value_or(settings.maxDiffuseDepth);
+  settings.maxSpecularDepth = options.maxSpecularDepth.value_or(settings.maxSpecularDepth);
+  settings.maxTransmissionDepth =
+      options.maxTransmissionDepth.value_or(settings.maxTransmissionDepth);
+  if (options.caustics) settings.caustics = CausticsNamed(*options.caustics);
   settings.minContribution = options.minContribution.value_or(settings.minContribution);
   settings.clampIndirect = options.clampIndirect.value_or(settings.clampIndirect);
   if (options.integrator) {
@@ -118,24 +130,12 @@ void CheckMemory(const render::PixelRect& rect, std::uint64_t aovBytes) {
         {}, "choose a smaller size, or render it in parts with a crop");
 }
 
-void AddLayers(const render::AovFilm& aovs, Picture& picture) {
-  image::Layers layers = aovs.ToLayers();
-  for (image::Layer& layer : layers.layers)
-    picture.layers.push_back(
-        {std::move(layer.name), std::move(layer.channels), layer.isColor, std::move(layer.values)});
-  picture.layerMetadata = std::move(layers.metadata);
-}
-
 // Add the picture without noise to the result.
-void Denoise(const render::AovFilm& aovs, Denoiser denoiser, RenderResult& result) {
+void Denoise(const render::Film& film, Denoiser denoiser, RenderResult& result) {
   const Timer timer;
-  const render::DenoiseInput input = aovs.ToDenoiseInput();
-  const bool byOidn =
-      denoiser == Denoiser::Oidn || (denoiser == Denoiser::Automatic && render::HasOidn());
-  const image::Image image =
-      byOidn ? render::DenoiseByOidn(input) : render::DenoiseByRegression(input);
-  result.denoised = ToPicture(image);
-  result.report.denoiser = byOidn ? "Open Image Denoise" : "nfor";
+  Denoised denoised = DenoisedOf(film, denoiser);
+  result.denoised = std::move(denoised.picture);
+  result.report.denoiser = denoised.by;
   result.report.denoiseSeconds = timer.Seconds();
 }
 
@@ -227,16 +227,12 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   FilmKeeper keeper(options.film);
   render::Film film = keeper.Begin(request.rect, firstSample, request.settings);
   const double samplesBefore = SamplesPerPixel(film);
-  if (hasAovs && samplesBefore > 0)
-    throw Error("a render that goes on has no layers and cannot be denoised", {},
-                "checkpoints hold the picture alone; render anew, or without layers and denoising");
   std::optional<render::AovFilm> aovs;
-  if (hasAovs) {
-    aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
-    request.aovs = &*aovs;
-  }
+  if (hasAovs) aovs.emplace(request.rect, request.settings.aovs, groups, request.settings.denoise);
+  keeper.SetAovs(std::move(aovs), film);
   film.origin().notes = {{"scene", contents.name},
                          {"exposure", fmt::format("{}", request.settings.exposure)},
+                         {"view", scene.view()},
                          {"spp", fmt::format("{}", request.settings.spp)}};
   request.stop.noise = options.noise.value_or(0);
   request.stop.noiseScale = std::exp2(double(options.exposure.value_or(request.settings.exposure)));
@@ -250,7 +246,6 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
 
   RenderResult result;
   result.picture = PictureOf(film);
-  if (aovs) AddLayers(*aovs, result.picture);
   result.report = ReportOf(statistics);
   result.report.samplesPerPixel = SamplesPerPixel(film);
   result.report.resumedSamples = samplesBefore;
@@ -259,7 +254,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   result.report.checkpointSaved = keeper.saved();
   result.report.filmFault = keeper.outputFault();
   for (const std::string& warning : keeper.warnings()) result.report.warnings.push_back(warning);
-  if (request.settings.denoise && statistics.samples > 0) Denoise(*aovs, options.denoiser, result);
+  if (request.settings.denoise && !film.Empty()) Denoise(film, options.denoiser, result);
   return result;
 }
 

@@ -34,6 +34,11 @@ struct RenderOptions {
   std::optional<int> height;
   std::optional<int> spp;
   std::optional<int> maxDepth;
+  // Path tracer: of the bends along a path, those by kind
+  std::optional<int> maxDiffuseDepth;
+  std::optional<int> maxSpecularDepth;
+  std::optional<int> maxTransmissionDepth;
+  std::optional<std::string> caustics;  // "full", "regularized" or "none"
   std::optional<float> minContribution;
   std::optional<float> clampIndirect;
   std::optional<std::string> integrator;  // "whitted" or "path"; else by the materials

@@ -57,6 +57,15 @@ static uint SamplesLog2(int spp) {
   return std::min(uint(std::bit_width(uint(std::max(spp, 1) - 1))), 20u);
 }
 
+static uint CausticsTag(scene::Caustics caustics) {
+  switch (caustics) {
+    case scene::Caustics::Full: return CAUSTICS_FULL;
+    case scene::Caustics::Regularized: return CAUSTICS_REGULARIZED;
+    case scene::Caustics::None: return CAUSTICS_NONE;
+  }
+  return CAUSTICS_FULL;
+}
+
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
                   const scene::Camera& camera) {
   FlatScene flat;
@@ -65,6 +74,10 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   FlattenFilter(settings.filter, settings.filterRadius, flat.params);
   flat.params.maxDepth = uint(settings.maxDepth);
   flat.params.maxVolumeDepth = uint(settings.maxVolumeDepth);
+  flat.params.maxDiffuseDepth = uint(settings.maxDiffuseDepth);
+  flat.params.maxSpecularDepth = uint(settings.maxSpecularDepth);
+  flat.params.maxTransmissionDepth = uint(settings.maxTransmissionDepth);
+  flat.params.caustics = CausticsTag(settings.caustics);
   flat.params.surroundings = FlattenMedium(scene.environment.medium);
   flat.params.minContribution = settings.minContribution;
   flat.params.clampIndirect = settings.clampIndirect;

@@ -89,7 +89,7 @@ Traced TracePath(Kernel& kernel, uvec2 pixel, std::uint32_t sample) {
 // Bring the tile's pixels to their goals, or as far as time allows.
 void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect tile,
                 const std::function<bool()>& interrupted, Replay& replay, render::Film& film,
-                render::AovFilm* aovs, WorkerCounts& counts) {
+                WorkerCounts& counts) {
   WhittedBranch branches[WhittedStackSize];
   kernel.branches = branches;
   AovSample aov = {};
@@ -116,7 +116,7 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
           for (Spectrum& group : aov.groups) group = L;
         }
         film.Add(x, y, sample, L);
-        if (aovs) aovs->Add(x, y, sample, L, aov);
+        if (film.aovs()) film.aovs()->Add(x, y, sample, L, aov);
         counts.rays.Add(traced.rays);
         counts.droppedBranches += traced.dropped;
         if (kernel.params.clampIndirect > 0) {
@@ -204,13 +204,15 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   statistics.droppedPrimitives = bvh.droppedPrimitives();
   statistics.sceneBytes = flat.MemoryBytes();
   statistics.bvhBytes = bvh.MemoryBytes();
-  statistics.filmBytes = film.MemoryBytes() + (request.aovs ? request.aovs->MemoryBytes() : 0);
+  statistics.filmBytes = film.MemoryBytes() + (film.aovs() ? film.aovs()->MemoryBytes() : 0);
   if (progress) progress->End();
 
   // Render pass by pass, tile by tile
   timer = {};
   const Kernel kernel = BindKernel(flat, bvh);
-  if (request.aovs) request.aovs->SetNames(AovNamesOf(scene, flat));
+  if (film.aovs() && !film.aovs()->SetNames(AovNamesOf(scene, flat)))
+    throw Error("the film is of another render: objects or materials have other names",
+                {request.filmFile}, "to begin anew, leave out --resume");
   const std::vector<render::PixelRect> tiles = render::TilesInOrder(request.rect, TileSize);
   const std::size_t workerCount = std::size_t(HardwareThreads());
   std::vector<WorkerCounts> workers(workerCount);
@@ -227,8 +229,7 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
         const std::uint64_t raysBefore = counts.rays.Sum();
         Replay replay{&scene, 0, 0, 0};
         const CheckContext context(Replay::Describe, &replay);
-        RenderTile(kernel, flat.integrator, tiles[i], interrupted, replay, film, request.aovs,
-                   counts);
+        RenderTile(kernel, flat.integrator, tiles[i], interrupted, replay, film, counts);
         meter.Add(counts.samples - samplesBefore, counts.rays.Sum() - raysBefore);
       });
       interruptions.SaveIfDue(film);

@@ -38,6 +38,7 @@ struct Bsdf {
   Spectrum subsurface;           // what enters the body to wander there,
   Spectrum subsurfaceColor;      // and what comes back of it
   uint thin;                     // 1: what is refracted goes straight on
+  uint closed;                   // 1: what is refracted is lost
   float film;                    // weight of a thin film on the base,
   float filmEta;                 // its index over that of wo's side,
   float filmPath;                // and twice its thickness times its index, micrometres
@@ -71,6 +72,7 @@ struct BsdfView {
   float eta;        // the index of what lies behind over that of wo's side,
   float nearIor;    // and the latter
   uint outside;     // 1: wo is on the side where coat and fuzz are
+  uint blurs;       // 1: narrow lobes are made wider (microfacet.h)
 };
 
 struct BsdfSample {
@@ -80,6 +82,7 @@ struct BsdfSample {
   uint isSpecular;   // 1: a direction of a perfectly smooth lobe, which Eval and Pdf do not see
   uint transmitted;  // 1: on the other side
   uint wanders;      // 1: below the surface; Eval and Pdf do not see it
+  uint isDiffuse;    // 1: of a matt or fuzzy surface's reflection
 };
 
 FN BsdfSample NoBsdfSample() {
@@ -90,6 +93,7 @@ FN BsdfSample NoBsdfSample() {
   s.isSpecular = 0u;
   s.transmitted = 0u;
   s.wanders = 0u;
+  s.isDiffuse = 0u;
   return s;
 }
 
@@ -115,6 +119,7 @@ FN Bsdf DiffuseBsdf(Spectrum albedo) {
   b.subsurface = zero;
   b.subsurfaceColor = zero;
   b.thin = 0u;
+  b.closed = 0u;
   b.film = 0.0f;
   b.filmEta = 1.0f;
   b.filmPath = 0.0f;
@@ -147,6 +152,54 @@ FN Bsdf WithoutSubsurface(IN(Bsdf) from) {
   b.diffuse += b.subsurface * b.subsurfaceColor;
   b.pickDiffuse += b.pickSubsurface;
   b.pickSubsurface = 0.0f;
+  return b;
+}
+
+// Kinds of lobes, as bits.
+CONST uint LOBE_DIFFUSE = 1u;  // matt, below the surface, fuzz
+CONST uint LOBE_SPECULAR = 2u;
+CONST uint LOBE_REFRACTION = 4u;
+CONST uint LOBE_DIFFUSE_TRANSMISSION = 8u;
+CONST uint ALL_LOBES = 15u;
+
+// The same surface with some kinds of lobes alone; what the others would scatter is lost.
+FN Bsdf OnlyLobes(IN(Bsdf) from, uint lobes) {
+  Bsdf b = from;
+  Spectrum zero = Spectrum(0.0f, 0.0f, 0.0f);
+  bool specular = (lobes & LOBE_SPECULAR) != 0u;
+  bool refraction = (lobes & LOBE_REFRACTION) != 0u && MaxChannel(b.transmissionScale) > 0.0f;
+  // Where nothing is matt, mirrors are sampled evenly in part, and likewise behind a sheet
+  bool evenly = MaxChannel(b.diffuse) <= 0.0f && specular;
+  bool evenlyThrough = MaxChannel(b.diffuseTransmission) <= 0.0f && refraction;
+  if ((lobes & LOBE_DIFFUSE) == 0u) {
+    b.diffuse = zero;
+    b.subsurface = zero;
+    b.fuzz = zero;
+    b.pickSubsurface = 0.0f;
+    b.pickFuzz = 0.0f;
+    if (!evenly) b.pickDiffuse = 0.0f;
+  }
+  if ((lobes & LOBE_DIFFUSE_TRANSMISSION) == 0u) {
+    b.diffuseTransmission = zero;
+    if (!evenlyThrough) b.pickDiffuseTransmission = 0.0f;
+  }
+  if (!specular) {
+    b.metalScale = zero;
+    b.reflectionScale = zero;
+    b.coatScale = 0.0f;
+    b.pickCoat = 0.0f;
+  }
+  if (!refraction) b.closed = 1u;
+  if (!specular && !refraction) b.pickBase = 0.0f;
+  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
+              b.pickSubsurface + b.pickFuzz;
+  float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
+  b.pickCoat *= scale;
+  b.pickBase *= scale;
+  b.pickDiffuse *= scale;
+  b.pickDiffuseTransmission *= scale;
+  b.pickSubsurface *= scale;
+  b.pickFuzz *= scale;
   return b;
 }
 
@@ -208,7 +261,8 @@ FN BaseSplit SplitAtBase(IN(Bsdf) b, float cosine) {
     Spectrum fresnel = DielectricFresnel(b, cosine);
     Spectrum one = Spectrum(1.0f, 1.0f, 1.0f);
     split.reflectance += b.reflectionScale * fresnel * (1.0f - b.metalness);
-    split.transmittance = b.transmissionScale * (one - fresnel) * (1.0f - b.metalness);
+    if (b.closed == 0u)
+      split.transmittance = b.transmissionScale * (one - fresnel) * (1.0f - b.metalness);
   }
   float r = MeanChannel(split.reflectance);
   float t = MeanChannel(split.transmittance);
@@ -355,6 +409,7 @@ FN BsdfSample SmoothSample(vec3 wi, Spectrum reflectance, float pick) {
   s.isSpecular = 1u;
   s.transmitted = wi.z < 0.0f ? 1u : 0u;
   s.wanders = 0u;
+  s.isDiffuse = 0u;
   return s;
 }
 
@@ -362,6 +417,7 @@ FN BsdfSample SmoothSample(vec3 wi, Spectrum reflectance, float pick) {
 FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
   if (wo.z <= 0.0f) return NoBsdfSample();
   vec3 wi;
+  bool isDiffuse = false;
   float left = lobe;
   if (left < b.pickCoat) {
     vec3 coatWo = ToCoat(b, wo);
@@ -408,6 +464,7 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
     vec2 disk = SampleUniformDisk(u);
     float z = SafeSqrt(1.0f - disk.x * disk.x - disk.y * disk.y);
     wi = vec3(disk.x, disk.y, left < b.pickDiffuse ? z : -z);
+    isDiffuse = left < b.pickDiffuse && MaxChannel(b.diffuse) > 0.0f;
   } else if ((left -= b.pickDiffuse + b.pickDiffuseTransmission) < b.pickSubsurface) {
     vec2 disk = SampleUniformDisk(u);
     wi = vec3(disk.x, disk.y, -SafeSqrt(1.0f - disk.x * disk.x - disk.y * disk.y));
@@ -420,12 +477,14 @@ FN BsdfSample SampleBsdf(IN(Bsdf) b, vec3 wo, float lobe, vec2 u) {
     float c;
     SinCos(2.0f * Pi * u.y, s, c);
     wi = vec3(sine * c, sine * s, u.x);
+    isDiffuse = true;
   }
   BsdfSample s;
   s.wi = wi;
   s.isSpecular = 0u;
   s.transmitted = wi.z < 0.0f ? 1u : 0u;
   s.wanders = 0u;
+  s.isDiffuse = isDiffuse ? 1u : 0u;
   if (IsLambertian(b)) {
     s.pdf = wi.z * InvPi;
     s.weight = b.diffuse;

@@ -132,8 +132,17 @@ std::vector<double> Expected(const Bsdf& b, vec3 wo, double count) {
 }
 
 TEST(Bsdf, SamplesFallAsTheirDensitySays) {
-  const Bsdf all[] = {Matt(),        Metal(),       Glass(1.5f),  Glass(1 / 1.5f), Pane(),
-                      FilmOnGlass(), FilmOnMetal(), TiltedCoat(), Everything()};
+  const Bsdf all[] = {Matt(),
+                      Metal(),
+                      Glass(1.5f),
+                      Glass(1 / 1.5f),
+                      Pane(),
+                      FilmOnGlass(),
+                      FilmOnMetal(),
+                      TiltedCoat(),
+                      Everything(),
+                      OnlyLobes(Everything(), LOBE_SPECULAR | LOBE_DIFFUSE),
+                      OnlyLobes(Everything(), LOBE_REFRACTION | LOBE_DIFFUSE_TRANSMISSION)};
   const float cosines[] = {0.95f, 0.5f, 0.15f};
   test::Random random(91);
   const int tests = int(std::size(all) * std::size(cosines));
@@ -177,6 +186,33 @@ TEST(Bsdf, WeightsAreWhatEvaluationGives) {
       ASSERT_FLOAT_EQ(pdf, s.pdf);
       ASSERT_NEAR(s.weight.y, f.y / pdf, 1e-5f * s.weight.y);
       ASSERT_GE(s.weight.x, 0);
+    }
+  }
+}
+
+// The kinds of lobes add up to the whole, and no sample is of a kind that is left out.
+TEST(Bsdf, LobesOfAllKindsAddUp) {
+  test::Random random(94);
+  for (const Bsdf& b :
+       {Matt(), Metal(), Glass(1.5f), Glass(1 / 1.5f), Pane(), TiltedCoat(), Everything()}) {
+    for (int i = 0; i < 1000; ++i) {
+      const vec3 wo = At(0.05f + 0.9f * random.UniformFloat(), 6 * random.UniformFloat());
+      vec3 wi = At(0.05f + 0.9f * random.UniformFloat(), 6 * random.UniformFloat());
+      if (i % 2 == 0) wi.z = -wi.z;
+      float pdf;
+      Spectrum sum(0.0f);
+      for (const uint lobes :
+           {LOBE_DIFFUSE, LOBE_SPECULAR, LOBE_REFRACTION, LOBE_DIFFUSE_TRANSMISSION}) {
+        const Bsdf only = OnlyLobes(b, lobes);
+        sum += EvalBsdf(only, wo, wi, pdf);
+        const BsdfSample s = SampleBsdf(only, wo, random.UniformFloat(),
+                                        vec2(random.UniformFloat(), random.UniformFloat()));
+        if (s.pdf <= 0 || MaxChannel(s.weight) <= 0) continue;
+        EXPECT_EQ(s.isDiffuse, lobes == LOBE_DIFFUSE ? 1u : 0u);
+        EXPECT_EQ(s.transmitted, lobes >= LOBE_REFRACTION ? 1u : 0u);
+      }
+      const Spectrum whole = EvalBsdf(b, wo, wi, pdf);
+      ASSERT_NEAR(sum.x, whole.x, 1e-4f * whole.x + 1e-6f);
     }
   }
 }

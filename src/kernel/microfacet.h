@@ -61,6 +61,17 @@ FN vec2 GgxWidthsOfGltf(float roughness, float strength) {
   return vec2(Lerp(strength * strength, across, 1.0f), across);
 }
 
+// A lobe wide enough for samples of light to find it, in place of a narrow one: a caustic becomes a soft one of about the
+// same light (Kaplanyan and Dachsbacher 2013, "Path space regularization for holistic and robust light transport"; the
+// widths of pbrt-v4's TrowbridgeReitzDistribution::Regularize).
+FN float RegularizedWidth(float alpha) {
+  if (alpha >= 0.3f) return alpha;
+  return Clamp(2.0f * alpha, 0.1f, 0.3f);
+}
+FN vec2 RegularizedWidths(vec2 alpha) {
+  return vec2(RegularizedWidth(alpha.x), RegularizedWidth(alpha.y));
+}
+
 KERNEL_END
 
 #endif

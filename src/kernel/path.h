@@ -36,6 +36,10 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.wavelength = 0.0f;
   s.depth = 1u;
   s.scatterings = 0u;
+  s.diffuseDepth = 0u;
+  s.specularDepth = 0u;
+  s.transmissionDepth = 0u;
+  s.spread = 0u;
   s.passes = 0u;
   s.coneWidth = params.coneWidth;
   s.walk = None;
@@ -110,10 +114,14 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
     s.lastPoint = v.above;
     s.lastNormal = VertexFacing(v);
   }
+  if (next.isSpecular == 0u) s.spread = 1u;
   if (through) {
     s.rays.refracted += 1u;
+    s.transmissionDepth += 1u;
   } else {
     s.rays.reflected += 1u;
+    s.diffuseDepth += next.isDiffuse;
+    s.specularDepth += 1u - next.isDiffuse;
   }
   PathRoulette(s);
 }
@@ -138,6 +146,19 @@ SCENE_FN PathVertex EmergingVertex(INOUT(PathState) s, IN(SurfaceInteraction) it
   v.object = it.object;
   s.walk = None;
   return v;
+}
+
+// The lobes by which the path may go on from a surface, as bits (bsdf.h).
+SCENE_FN uint LobesOpenTo(IN(PathState) s, bool isSheet) {
+  uint lobes = ALL_LOBES;
+  // Without caustics nothing mirrors or refracts what lights a matt surface
+  if (params.caustics == CAUSTICS_NONE && s.diffuseDepth + s.scatterings > 0u)
+    lobes = isSheet ? ALL_LOBES - LOBE_SPECULAR : LOBE_DIFFUSE | LOBE_DIFFUSE_TRANSMISSION;
+  if (s.diffuseDepth >= params.maxDiffuseDepth) lobes &= ~LOBE_DIFFUSE;
+  if (s.specularDepth >= params.maxSpecularDepth) lobes &= ~LOBE_SPECULAR;
+  if (s.transmissionDepth >= params.maxTransmissionDepth)
+    lobes &= ~(LOBE_REFRACTION | LOBE_DIFFUSE_TRANSMISSION);
+  return lobes;
 }
 
 // What a path finds where it meets a surface, and the vertex there. False: it ends or goes on without one.
@@ -247,6 +268,7 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
   view.eta = eta;
   view.nearIor = nearIor;
   view.outside = hasInside && Dot(s.ray.d, it.n) > 0.0f ? 0u : 1u;
+  view.blurs = params.caustics == CAUSTICS_REGULARIZED ? s.spread : 0u;
   BsdfAt(material, shown, it.color, view, v.bsdf);
   // Nothing wanders below a surface within a body that does, or seen from below
   if (v.bsdf.pickSubsurface > 0.0f && (s.walk != None || Dot(it.n, wo) < 0.0f))
@@ -257,6 +279,8 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
                     AlbedoOfPhysical(physicals[material.closure], shown, it.color) + Le,
                     FaceForward(it.ns, n));
   if (deepest) return false;
+  uint lobes = LobesOpenTo(s, material.thin == 1u);
+  if (lobes != ALL_LOBES) v.bsdf = OnlyLobes(v.bsdf, lobes);
   s.coneWidth = coneWidth;
   return true;
 }

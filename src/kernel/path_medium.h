@@ -124,6 +124,7 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(PathVertex) v) {
   s.lastPoint = v.above;
   s.lastNormal = VertexFacing(v);
   s.rays.reflected += 1u;
+  s.spread = 1u;
   PathRoulette(s);
 }
 

@@ -33,8 +33,13 @@ struct PathState {
   float wavelength;  // 1/λ² − 1/(587.6 nm)², 1/µm²; 0 while there are all
   uint depth;        // of the next vertex; 1 is what the camera sees
   uint scatterings;  // in media so far
-  uint passes;       // surfaces passed since the last vertex because they are open there
-  float coneWidth;   // as in WhittedBranch
+  // Bends at surfaces so far: diffuse reflections, reflections by mirrors, smooth or glossy, and transmissions
+  uint diffuseDepth;
+  uint specularDepth;
+  uint transmissionDepth;
+  uint spread;      // 1: not all bends were perfectly smooth
+  uint passes;      // surfaces passed since the last vertex because they are open there
+  float coneWidth;  // as in WhittedBranch
   MediumStack media;
   uint walk;            // the body below whose surface the path wanders, or None
   Spectrum walkAlbedo;  // of a scattering there

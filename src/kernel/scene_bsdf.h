@@ -92,6 +92,10 @@ SCENE_FN float SetCoat(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) show
       Clamp(ShownScalar(physical.coatRoughness, shown, ROLE_COAT_ROUGHNESS), 0.0f, 1.0f);
   b.coatEta = physical.coatIor;
   b.coatAlpha = GgxWidths(roughness, physical.coatAnisotropy);
+  if (view.blurs == 1u) {
+    b.coatAlpha = RegularizedWidths(b.coatAlpha);
+    roughness = sqrt(RegularizedWidth(Sqr(roughness)));
+  }
   b.coatTint = Saturate(physical.coatColor * ShownColor(shown, ROLE_COAT_COLOR));
   b.coatTilted = b.coat > 0.0f && view.coatNormal.z < 0.999999f ? 1u : 0u;
   b.coatZ = view.coatNormal;
@@ -105,7 +109,7 @@ SCENE_FN float SetCoat(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) show
 
 // Set the GGX widths of the base. Returns the roughness of an even surface that loses about as much. A rough coat spreads what passes it twice (OpenPBR 1.1, section on roughening).
 SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels) shown,
-                             float coatRoughness) {
+                             float coatRoughness, bool blurs) {
   float roughness = Clamp(ShownScalar(physical.roughness, shown, ROLE_ROUGHNESS), 0.0f, 1.0f);
   if (b.coat > 0.0f && coatRoughness > 0.0f) {
     float spread = Min(Sqr(Sqr(roughness)) + 2.0f * Sqr(Sqr(coatRoughness)), 1.0f);
@@ -115,6 +119,10 @@ SCENE_FN float SetBaseWidths(INOUT(Bsdf) b, IN(Physical) physical, IN(RoleTexels
   float anisotropy = Clamp(ShownScalar(source, shown, ROLE_ANISOTROPY), 0.0f, 0.99f);
   b.alpha = physical.anisotropyModel == ANISOTROPY_GLTF ? GgxWidthsOfGltf(roughness, anisotropy)
                                                         : GgxWidths(roughness, anisotropy);
+  if (blurs) {
+    b.alpha = RegularizedWidths(b.alpha);
+    roughness = sqrt(b.alpha.x);
+  }
   if (anisotropy <= 0.0f) return roughness;
   // Between the mean width and the root of the mean square, nearer to the latter
   float mean = 0.5f * (b.alpha.x + b.alpha.y);
@@ -185,12 +193,15 @@ SCENE_FN void BsdfAt(IN(Material) material, IN(RoleTexels) shown, Spectrum verte
       Clamp(ShownScalar(physical.transmission, shown, ROLE_TRANSMISSION), 0.0f, 1.0f);
 
   float coatRoughness = SetCoat(b, physical, shown, view);
-  float roughness = SetBaseWidths(b, physical, shown, coatRoughness);
+  // Sheets stay as they are: if they are smooth, light is looked for straight through them
+  bool blurs = view.blurs == 1u && material.thin == 0u;
+  float roughness = SetBaseWidths(b, physical, shown, coatRoughness, blurs);
   // Where the indices agree there is no boundary that could scatter
   if (transmission > 0.0f && metalness == 0.0f && abs(eta - 1.0f) < 1e-3f)
     b.alpha = vec2(1e-4f, 1e-4f);
   b.metalness = metalness;
   b.thin = material.thin;
+  b.closed = 0u;
   b.eta = eta;
 
   // Below a coat the base borders on the coat; what light would be trapped there is not

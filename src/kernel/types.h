@@ -382,6 +382,11 @@ struct LightNode {
 CONST uint LIGHTS_BY_TREE = 0u;
 CONST uint LIGHTS_BY_POWER = 1u;
 
+CONST uint CAUSTICS_FULL = 0u;
+// Mirrors and glass that throw light onto rough surfaces are blurred, or do not.
+CONST uint CAUSTICS_REGULARIZED = 1u;
+CONST uint CAUSTICS_NONE = 2u;
+
 // The background, by direction: from `bottom` to `top` over the sine of the elevation, or a map.
 struct Environment {
   Spectrum bottom;
@@ -442,13 +447,17 @@ struct RenderParams {
   Spectrum ambientByGroup[MaxLightGroups];
   uint aovs;  // light groups, if samples tell more than their radiance (aov.h); else 0
   uint lightCount;
-  uint lightNodeCount;    // 0: there is no light tree
-  uint firstDirectional;  // the first directional light, or None
-  uint lightSampling;     // how the path tracer chooses among the tree's sources
-  uint tintedShadows;     // 1: some object is marked MASK_TINT
-  uint maxDepth;          // 1: only rays from the camera
-  uint moving;            // 1: something moves while the shutter is open
-  uint maxVolumeDepth;    // scatterings in media along a path
+  uint lightNodeCount;        // 0: there is no light tree
+  uint firstDirectional;      // the first directional light, or None
+  uint lightSampling;         // how the path tracer chooses among the tree's sources
+  uint tintedShadows;         // 1: some object is marked MASK_TINT
+  uint maxDepth;              // 1: only rays from the camera
+  uint moving;                // 1: something moves while the shutter is open
+  uint maxVolumeDepth;        // scatterings in media along a path,
+  uint maxDiffuseDepth;       // its diffuse reflections,
+  uint maxSpecularDepth;      // those by mirrors, smooth or glossy,
+  uint maxTransmissionDepth;  // and how often it passes through surfaces
+  uint caustics;
   Medium surroundings;    // around all objects; only the path tracer shows it
   float minContribution;  // branches that can add less than this are cut
   float clampIndirect;  // the path tracer's limit to what one find of indirect light adds; 0: none

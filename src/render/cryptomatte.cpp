@@ -68,6 +68,10 @@ void Coverage::Add(std::uint32_t id, std::uint32_t count) {
   counts_.emplace_back(id, count);
 }
 
+void Coverage::Add(const Coverage& other) {
+  for (const auto& [id, count] : other.counts_) Add(id, count);
+}
+
 std::vector<std::pair<std::uint32_t, std::uint32_t>> Coverage::Ranked() const {
   auto ranked = counts_;
   std::ranges::sort(ranked, [](const auto& a, const auto& b) {

@@ -28,6 +28,7 @@ class Coverage {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> Ranked() const;
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& counts() const { return counts_; }
   void Add(std::uint32_t id, std::uint32_t count);
+  void Add(const Coverage& other);
 
  private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> counts_;

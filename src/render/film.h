@@ -8,28 +8,18 @@
 #include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "image/image.h"
 #include "kernel/types.h"
+#include "render/aov_film.h"
 #include "render/exact_sum.h"
+#include "render/pixel_rect.h"
 
 namespace snell::render {
-
-// A rectangle of pixels: [x0, x1) × [y0, y1), the origin at the top left.
-struct PixelRect {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-
-  int Width() const { return x1 - x0; }
-  int Height() const { return y1 - y0; }
-  bool Empty() const { return x1 <= x0 || y1 <= y0; }
-  bool operator==(const PixelRect&) const = default;
-};
 
 // Samples [first, last) of pixels.
 struct SampleBlock {
@@ -105,18 +95,20 @@ class Film {
   // What a film that was merged from others holds, if a render cannot go on with it (merge.h); else empty.
   std::vector<SampleBlock>& merged() { return merged_; }
   const std::vector<SampleBlock>& merged() const { return merged_; }
+  // What else is known of the same samples, if that was asked for.
+  std::optional<AovFilm>& aovs() { return aovs_; }
+  const std::optional<AovFilm>& aovs() const { return aovs_; }
   FilmOrigin& origin() { return origin_; }
   const FilmOrigin& origin() const { return origin_; }
 
  private:
-  std::size_t Index(int x, int y) const {
-    return std::size_t(y - rect_.y0) * std::size_t(rect_.Width()) + std::size_t(x - rect_.x0);
-  }
+  std::size_t Index(int x, int y) const { return rect_.Index(x, y); }
 
   PixelRect rect_;
   std::uint32_t firstSample_;
   std::vector<Pixel> pixels_;
   std::vector<SampleBlock> merged_;
+  std::optional<AovFilm> aovs_;
   FilmOrigin origin_;
 };
 

@@ -27,9 +27,11 @@ static_assert(std::endian::native == std::endian::little && sizeof(Film::Pixel) 
 namespace {
 
 constexpr char Magic[9] = "snelfilm";
-constexpr std::uint32_t FormatVersion = 1;
+constexpr std::uint32_t FormatVersion = 2;
+constexpr std::uint32_t WithoutAovs = 1;
 constexpr std::uint32_t LargestHeader = 1 << 20;
 constexpr int LargestSide = 65536;
+constexpr std::uint64_t LargestAovs = std::uint64_t(1) << 60;
 constexpr std::size_t ChunkPixels = 8192;
 
 struct Start {
@@ -47,10 +49,18 @@ std::string OneLine(std::string text) {
   return text;
 }
 
+// How many bytes the film's AOVs take in the file.
+std::uint64_t AovBytes(const Film& film) {
+  std::uint64_t bytes = 0;
+  if (film.aovs()) film.aovs()->Save([&](const void*, std::size_t size) { bytes += size; });
+  return bytes;
+}
+
 std::string HeaderText(const Film& film) {
   const PixelRect& r = film.rect();
   std::string text =
       fmt::format("rect {} {} {} {}\nfirst {}\n", r.x0, r.y0, r.x1, r.y1, film.firstSample());
+  if (film.aovs()) text += fmt::format("aovs {}\n", AovBytes(film));
   for (const SampleBlock& b : film.merged()) {
     text += fmt::format("merged {} {} {} {} {} {}\n", b.rect.x0, b.rect.y0, b.rect.x1, b.rect.y1,
                         b.first, b.last);
@@ -65,6 +75,7 @@ std::string HeaderText(const Film& film) {
 struct Header {
   PixelRect rect;
   std::uint32_t first = 0;
+  std::uint64_t aovBytes = 0;  // 0: there are none
   std::vector<SampleBlock> merged;
   FilmOrigin origin;
 };
@@ -103,6 +114,8 @@ std::optional<Header> ParseHeader(const std::string& text) {
       hasRect = true;
     } else if (name == "first") {
       if (!(words >> header.first)) return {};
+    } else if (name == "aovs") {
+      if (!(words >> header.aovBytes) || header.aovBytes > LargestAovs) return {};
     } else if (name == "merged") {
       SampleBlock block;
       if (!ReadRect(words, block.rect) || !(words >> block.first >> block.last)) return {};
@@ -160,7 +173,7 @@ Header ReadHeader(Reader& reader) {
   Hasher hasher;
   reader.Read(&start, sizeof start, &hasher);
   if (std::memcmp(start.magic, Magic, sizeof start.magic) != 0) reader.Fail("not a film file");
-  if (start.version != FormatVersion)
+  if (start.version != FormatVersion && start.version != WithoutAovs)
     reader.Fail(fmt::format("the film file has version {} of its format; this program knows {}",
                             start.version, FormatVersion));
   const std::uint64_t end = sizeof start + std::uint64_t(start.headerSize) + sizeof(std::uint64_t);
@@ -175,7 +188,8 @@ Header ReadHeader(Reader& reader) {
 
   const std::uint64_t pixels =
       std::uint64_t(header->rect.Width()) * std::uint64_t(header->rect.Height());
-  const std::uint64_t expected = end + pixels * sizeof(Film::Pixel) + sizeof(std::uint64_t);
+  std::uint64_t expected = end + pixels * sizeof(Film::Pixel) + sizeof(std::uint64_t);
+  if (header->aovBytes > 0) expected += header->aovBytes + sizeof(std::uint64_t);
   if (reader.size() < expected) reader.FailTruncated(expected);
   if (reader.size() > expected)
     reader.Fail(fmt::format("the film file has {} bytes too many", reader.size() - expected));
@@ -191,13 +205,30 @@ bool IsSound(const Film::Pixel& pixel, std::uint32_t first) {
          pixel.halfCount <= pixel.count && pixel.goal >= pixel.count && first + pixel.goal >= first;
 }
 
+void ReadAovs(Reader& reader, std::uint64_t bytes, Film& film) {
+  Hasher hasher;
+  try {
+    film.aovs() = AovFilm::Load(
+        film.rect(), bytes, [&](void* to, std::size_t size) { reader.Read(to, size, &hasher); });
+  } catch (const Error& error) {
+    reader.Fail(error.diagnostics()[0].message);
+  }
+  reader.CheckSum(hasher, "layers");
+  const PixelRect& rect = film.rect();
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    for (int x = rect.x0; x < rect.x1; ++x)
+      if (film.aovs()->SampleCount(x, y) != film.SampleCount(x, y))
+        reader.Fail("the film file's layers are of other samples than its pixels");
+  }
+}
+
 }  // namespace
 
 void SaveFilm(const Film& film, const fs::path& path) {
   const std::string text = HeaderText(film);
   Start start = {};
   std::memcpy(start.magic, Magic, sizeof start.magic);
-  start.version = FormatVersion;
+  start.version = film.aovs() ? FormatVersion : WithoutAovs;
   start.headerSize = std::uint32_t(text.size());
 
   AtomicFile file(path);
@@ -219,6 +250,11 @@ void SaveFilm(const Film& film, const fs::path& path) {
     write(&film.pixels()[i], count * sizeof(Film::Pixel), pixels);
   }
   writeSum(pixels);
+  if (film.aovs()) {
+    Hasher aovs;
+    film.aovs()->Save([&](const void* bytes, std::size_t size) { write(bytes, size, aovs); });
+    writeSum(aovs);
+  }
   file.Commit();
 }
 
@@ -236,7 +272,14 @@ Film LoadFilm(const fs::path& path) {
   reader.CheckSum(hasher, "pixels");
   for (const Film::Pixel& pixel : film.pixels())
     if (!IsSound(pixel, header.first)) reader.Fail("the film file's pixels make no sense");
+  if (header.aovBytes > 0) ReadAovs(reader, header.aovBytes, film);
   return film;
+}
+
+std::string AovDifference(const std::optional<AovFilm>& a, const std::optional<AovFilm>& b) {
+  if (a && b) return a->Difference(*b);
+  if (a) return fmt::format("layers {}, not none", a->KindText());
+  return b ? fmt::format("no layers, but {}", b->KindText()) : "";
 }
 
 std::string Difference(const FilmOrigin& a, const FilmOrigin& b) {

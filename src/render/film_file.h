@@ -4,12 +4,14 @@
 // numbers with the lowest byte first:
 //
 //   8 bytes   "snelfilm"
-//   u32       version of the format, 1
+//   u32       version of the format: 1, or 2 with AOVs
 //   u32       size of the header in bytes
 //   header    text, a line for each property: "rect 0 0 800 600", "sample.camera …" (docs/long-renders.md)
 //   u64       checksum of all before (util/hash.h)
 //   pixels    128 bytes each, rows from top to bottom: Film::Pixel
 //   u64       checksum of the pixels
+//   AOVs      if there are any: as aov_file.cpp writes them; the header tells their size in bytes
+//   u64       checksum of the AOVs
 //
 // Pictures in EXR could not hold this: it has no numbers of more than 32 bits.
 #pragma once
@@ -31,5 +33,7 @@ Film LoadFilm(const std::filesystem::path& path);
 
 // What differs between where two films' samples come from, in words; "" if nothing does.
 std::string Difference(const FilmOrigin& a, const FilmOrigin& b);
+// The same of their AOVs.
+std::string AovDifference(const std::optional<AovFilm>& a, const std::optional<AovFilm>& b);
 
 }  // namespace snell::render

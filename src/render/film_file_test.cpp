@@ -100,7 +100,7 @@ TEST_F(FilmFile, SaysWhatIsWrong) {
   std::string bytes = Read("good");
   bytes[8] = 9;
   Write("newer", bytes);
-  EXPECT_EQ(ErrorOf("newer"), "the film file has version 9 of its format; this program knows 1");
+  EXPECT_EQ(ErrorOf("newer"), "the film file has version 9 of its format; this program knows 2");
   bytes = Read("good");
   bytes[bytes.size() - 20] ^= 1;
   Write("flipped", bytes);

@@ -46,6 +46,7 @@ void AddFilm(Film& film, const Film& from, const std::string& name) {
       to.goal = to.count;
     }
   }
+  if (film.aovs()) film.aovs()->Add(*from.aovs());
 }
 
 // Put blocks together that follow one another in the same rectangle.
@@ -79,7 +80,8 @@ Film MergeFilms(std::vector<Film> films, const std::vector<std::string>& names) 
   PixelRect rect = films[0].rect();
   std::vector<SampleBlock> blocks;
   for (std::size_t i = 0; i < films.size(); ++i) {
-    const std::string difference = Difference(films[i].origin(), films[0].origin());
+    std::string difference = Difference(films[i].origin(), films[0].origin());
+    if (difference.empty()) difference = AovDifference(films[i].aovs(), films[0].aovs());
     if (!difference.empty())
       throw Error(fmt::format("does not go with '{}': {}", names[0], difference), {names[i]});
     const std::vector<SampleBlock> own = BlocksOf(films[i]);
@@ -101,6 +103,7 @@ Film MergeFilms(std::vector<Film> films, const std::vector<std::string>& names) 
   blocks = Joined(std::move(blocks));
   Film merged(rect, blocks[0].first);
   merged.origin() = films[0].origin();
+  if (films[0].aovs()) merged.aovs() = films[0].aovs()->Like(rect);
   for (std::size_t i = 0; i < films.size(); ++i) AddFilm(merged, films[i], names[i]);
 
   // One block without a gap is a film like any other, which a render can go on with

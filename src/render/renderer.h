@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "render/aov_film.h"
 #include "render/film.h"
 #include "render/schedule.h"
 #include "render/statistics.h"
@@ -21,7 +20,6 @@ struct RenderRequest {
   scene::Camera camera;
   PixelRect rect;                // pixels to render; within the picture
   std::uint32_t lastSample = 0;  // one past the last; the film says which is the first
-  AovFilm* aovs = nullptr;       // receives what settings.aovs asks for, of the same pixels
   StopConditions stop = {};
   SavePlan save = {};
   // Compare what samples depend on with what the film says, or enter it there if that says nothing
@@ -34,7 +32,7 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
 
-  // Render into `film`, which covers `request.rect`. Samples are added in passes over the whole picture,
+  // Render into `film`, which covers `request.rect`, and has AOVs if the settings ask for them. Samples are added in passes over the whole picture,
   // so that a render that is stopped early leaves a complete, coarser picture. A film with samples is gone on
   // with. Returns what was done; throws Error on faults of the scene, the device or memory.
   virtual Statistics Render(const scene::Scene& scene, const RenderRequest& request, Film& film,

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -234,17 +235,27 @@ enum class Integrator { Whitted, Path };
 enum class Sampler { Sobol, Independent };  // of the path tracer
 // How the path tracer chooses among sources of light: by what each can bring to the point, or by power alone.
 enum class LightSampling { Tree, Power };
+// What the path tracer shows of light that mirrors and glass throw onto rough surfaces: all of it, with much noise; with
+// them blurred, for little noise and some error; or nothing.
+enum class Caustics { Full, Regularized, None };
 enum class PixelFilter { Box, Tent, Gaussian, BlackmanHarris };
 
 // What a file may say about how it wants to be rendered; the command line overrides it.
 struct RenderSettings {
+  static constexpr int Unlimited = std::numeric_limits<int>::max();
+
   int width = 800;
   int height = 600;
   // What is left open is filled in by the materials (settings.h)
   int spp = 0;  // samples per pixel; 0: open
   std::optional<Integrator> integrator;
-  int maxDepth = 16;               // 1: rays from the camera only
-  int maxVolumeDepth = 1024;       // scatterings in media along a path
+  int maxDepth = 16;          // 1: rays from the camera only
+  int maxVolumeDepth = 1024;  // scatterings in media along a path
+  // Reflections of a kind along a path, and passages through surfaces
+  int maxDiffuseDepth = Unlimited;
+  int maxSpecularDepth = Unlimited;
+  int maxTransmissionDepth = Unlimited;
+  Caustics caustics = Caustics::Full;
   float minContribution = 0.002f;  // of a branch to the pixel, below which it is cut
   Sampler sampler = Sampler::Sobol;
   float clampIndirect =

@@ -81,6 +81,8 @@ class Checker {
     Require(s.spp >= 0, "the samples per pixel must not be negative");
     Require(s.maxDepth > 0, "the maximum depth must be at least 1");
     Require(s.maxVolumeDepth >= 0, "the maximum depth in media must not be negative");
+    Require(std::min({s.maxDiffuseDepth, s.maxSpecularDepth, s.maxTransmissionDepth}) >= 0,
+            "the maximum depths by kind must not be negative");
     Require(Finite(s.minContribution) && s.minContribution >= 0,
             "the minimum contribution must not be negative");
     Require(Finite(s.clampIndirect) && s.clampIndirect >= 0,

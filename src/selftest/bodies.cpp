@@ -122,7 +122,7 @@ Surface::Surface(const Material& material) : prepared_(SceneOf(material)) {}
 kernel::Bsdf Surface::At(kernel::vec3 wo, bool inside) {
   cpu::Kernel& kernel = prepared_.kernel();
   const kernel::Material& material = kernel.materials[0];
-  kernel::BsdfView view;
+  kernel::BsdfView view = {};
   view.wo = wo;
   view.coatNormal = {0, 0, 1};
   view.eta = inside ? 1 / material.ior : material.ior;

@@ -207,6 +207,19 @@ TEST(Coverage, EmittersAndTheLightTree) {
   EXPECT_TRUE(inWorld && instanced && byChance && directional);
 }
 
+TEST(Coverage, LimitsOfPaths) {
+  std::set<uint> caustics;
+  bool limited = false;
+  for (const FlatScene& flat : FlatScenes()) {
+    const RenderParams& params = flat.params;
+    caustics.insert(params.caustics);
+    limited |= std::max({params.maxDiffuseDepth, params.maxSpecularDepth,
+                         params.maxTransmissionDepth}) < params.maxDepth;
+  }
+  EXPECT_EQ(caustics, TagsTo(CAUSTICS_NONE));
+  EXPECT_TRUE(limited);
+}
+
 TEST(Coverage, CamerasAndSurroundings) {
   std::set<uint> cameras, inside, tinted, lenses, blades, movingShapes;
   bool movingInstances = false, movingCameras = false;

@@ -67,6 +67,7 @@ scene::Scene NestedMedia() {
   builder.settings().maxDepth = 10;
   builder.settings().minContribution = 0.01f;
   builder.settings().clampIndirect = 0.05f;
+  builder.settings().caustics = scene::Caustics::Regularized;
   const int glass = builder.Add(Absorbing(1.5f, {0.7f, 0.9f, 0.7f}, 1, 2));
   const int air = builder.Add(Absorbing(1.0f, Spectrum(1.0f), 1, 3));
   const int water = builder.Add(Absorbing(1.33f, {0.5f, 0.7f, 0.9f}, 1, 1));
@@ -84,6 +85,7 @@ scene::Scene NestedMedia() {
 // Sheets without inside, clear and textured, flat and bent.
 scene::Scene ThinSheets() {
   SceneBuilder builder = Table("ThinSheets");
+  builder.settings().caustics = scene::Caustics::None;
   scene::Material pane = Glass(1.5f, {0.9f, 0.9f, 1});
   pane.thin = true;
   scene::Texture stripes;

@@ -55,6 +55,9 @@ scene::Scene Mirrors() {
   builder.Add(AmbientLight(0.2f));
   builder.environment() = {{0.1f, 0.1f, 0.2f}, {0.5f, 0.6f, 0.8f}, -1, 1, 1};
   builder.settings().maxDepth = 12;
+  builder.settings().maxDiffuseDepth = 1;
+  builder.settings().maxSpecularDepth = 2;
+  builder.settings().maxTransmissionDepth = 3;
   builder.settings().minContribution = 0.001f;
   const ReflectionModel models[3] = {ReflectionModel::Constant, ReflectionModel::Fresnel,
                                      ReflectionModel::Schlick};

@@ -194,6 +194,51 @@ TEST_F(LongRenders, PartsOfThePictureAreTheWhole) {
             std::string::npos);
 }
 
+TEST_F(LongRenders, KilledAndResumedTheyGiveTheSameLayers) {
+  ExpectTheSameAfterKills("room.toml", {"--spp", "200", "--aov", "all"});
+}
+
+TEST_F(LongRenders, LayersAndDenoisedPicturesAddUp) {
+  const Words render = {"render", "room.toml", "--spp", "12", "--aov", "all", "--denoiser", "nfor"};
+  Succeed(Join(render, {"-o", "whole.exr", "--float"}));
+  const Words parts[] = {{"--samples", "5:12"},
+                         {"--samples", "0:5", "--crop", "0,0,30,32"},
+                         {"--samples", "0:5", "--crop", "30,0,48,32"}};
+  Words merge = {"merge"};
+  for (const Words& part : parts) {
+    merge.push_back(part.back() + ".snell-film");
+    Succeed(Join(render, Join(part, {"--film", merge.back()})));
+  }
+  Succeed(Join(merge, {"-o", "a.exr", "--float", "--denoiser", "nfor"}));
+  EXPECT_EQ(Read("a.exr"), Read("whole.exr"));
+  EXPECT_EQ(Read("a.denoised.exr"), Read("whole.denoised.exr"));
+
+  // All of them hold the same layers
+  const Words last = {"render", "room.toml", "--spp", "20", "--samples", "12:20", "--film"};
+  Succeed(Join(last, {"b.snell-film"}));
+  merge.push_back("b.snell-film");
+  EXPECT_NE(ErrorOf(Join(merge, {"-o", "a.exr"})).find("b.snell-film: does not go with"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf({"merge", "b.snell-film", "-o", "a.exr", "--denoise"})
+                .find("b.snell-film: the films hold nothing that denoising needs"),
+            std::string::npos);
+  const std::string said = ErrorOf({"render", "room.toml", "--spp", "20", "--samples", "12:20",
+                                    "--aov", "albedo", "--film", "b.snell-film", "--resume"});
+  EXPECT_NE(said.find("b.snell-film: the film is of another render: now there are layers albedo, "
+                      "not none"),
+            std::string::npos)
+      << said;
+}
+
+// A render that begins with a part of its samples goes on to the same picture as at once.
+TEST_F(LongRenders, TheFirstSamplesOfManyGoOnWithAFilm) {
+  const Words render = {"render", "room.toml", "--spp", "64", "--film", "a.snell-film"};
+  Succeed({"render", "room.toml", "--spp", "64", "-o", "whole.exr", "--float"});
+  Succeed(Join(render, {"--samples", "0:10"}));
+  Succeed(Join(render, {"--resume", "-o", "a.exr", "--float"}));
+  EXPECT_EQ(Read("a.exr"), Read("whole.exr"));
+}
+
 TEST_F(LongRenders, TimeEndsARender) {
   Succeed({"render", "spheres.nff", "--time", "0.3s", "-o", "a.exr", "--stats", "s.json"});
   const std::optional<JsonValues> stats = ParseJson(Read("s.json"));

@@ -36,6 +36,26 @@ static Keys<RenderSettings> SamplingKeys() {
       Field("max_volume_depth", &RenderSettings::maxVolumeDepth, Integer(0, 1000000),
             "How often a path may be scattered within media and below surfaces.")
           .Not({"volume_bounces", "volume_depth"}),
+      Field("max_diffuse_depth", &RenderSettings::maxDiffuseDepth, Integer(0, 1000),
+            "Path tracer: how often a path may be reflected by matt surfaces; 1: they show direct "
+            "light only.")
+          .Standard("any")
+          .Not({"diffuse_bounces", "diffuse_depth"}),
+      Field("max_specular_depth", &RenderSettings::maxSpecularDepth, Integer(0, 1000),
+            "Path tracer: how often it may be reflected by mirrors, smooth or glossy.")
+          .Standard("any")
+          .Not({"glossy_bounces", "specular_bounces", "specular_depth", "max_glossy_depth"}),
+      Field("max_transmission_depth", &RenderSettings::maxTransmissionDepth, Integer(0, 1000),
+            "Path tracer: how often it may pass through surfaces; a body of glass has two.")
+          .Standard("any")
+          .Not({"transmission_bounces", "refraction_depth"}),
+      Field("caustics", &RenderSettings::caustics,
+            Choice<scene::Caustics>({{"full", scene::Caustics::Full},
+                                     {"regularized", scene::Caustics::Regularized},
+                                     {"none", scene::Caustics::None}}),
+            "Path tracer: light that mirrors and glass throw onto rough surfaces: all of it, with "
+            "noise; blurred, with little noise and some error; or none, which is darker.")
+          .Not({"caustic", "regularize", "filter_glossy"}),
       Field("min_contribution", &RenderSettings::minContribution, Number({0, 1}),
             "Reflected and refracted rays that can add less than this to a pixel are not followed.")
           .Not({"cutoff", "threshold"}),
