@@ -162,7 +162,10 @@ std::string AovFilm::Difference(const AovFilm& other) const {
   const std::string own = KindText(), theirs = other.KindText();
   if (own != theirs) return fmt::format("layers {}, not {}", own, theirs);
   if (lightGroups_ != other.lightGroups_) return "other light groups";
-  if (objectNames_ != other.objectNames_ || materialNames_ != other.materialNames_)
+  const bool named = !objectNames_.empty() || !materialNames_.empty();
+  const bool otherNamed = !other.objectNames_.empty() || !other.materialNames_.empty();
+  if (named && otherNamed &&
+      (objectNames_ != other.objectNames_ || materialNames_ != other.materialNames_))
     return "other names of objects or materials";
   return "";
 }

@@ -70,7 +70,8 @@ class AovFilm {
   std::uint32_t SampleCount(int x, int y) const { return Count(rect_.Index(x, y)); }
   std::uint64_t MemoryBytes() const;
 
-  // How `other` differs from this in kind, in words: "layers albedo, not normal"; "" if not at all.
+  // How `other` differs from this in kind, in words: "layers albedo, not normal"; "" if not at all. Names
+  // that have not been set yet do not count.
   std::string Difference(const AovFilm& other) const;
   // "albedo, normal, denoising"
   std::string KindText() const;
