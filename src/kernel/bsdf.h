@@ -107,8 +107,11 @@ FN BaseSplit SplitAtBase(IN(Bsdf) b, float cosine) {
   return split;
 }
 
-// Whether it is matt and nothing else.
-FN bool IsLambertian(IN(Bsdf) b) { return b.pickDiffuse == 1.0f && b.diffuseRoughness == 0.0f; }
+// Whether it is matt, with nothing else to choose and nothing above.
+FN bool IsLambertian(IN(Bsdf) b) {
+  return b.pickDiffuse == 1.0f && b.diffuseRoughness == 0.0f && b.coat <= 0.0f &&
+         b.underFuzz == 1.0f;
+}
 FN bool IsSmoothBase(IN(Bsdf) b) { return Max(b.alpha.x, b.alpha.y) < SmoothAlpha; }
 FN bool IsSmoothCoat(IN(Bsdf) b) { return Max(b.coatAlpha.x, b.coatAlpha.y) < SmoothAlpha; }
 // Whether it only mirrors and refracts.

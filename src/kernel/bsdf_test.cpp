@@ -325,5 +325,27 @@ TEST(FrConductorF82, MeetsItsTwoColours) {
   }
 }
 
+// What lies below a coat or fuzz gets no brighter when the lobes above are left out.
+TEST(Bsdf, LobesLeftOutStillShadeWhatIsBelow) {
+  const vec3 wo(0.6f, 0.0f, 0.8f), wi(0.0f, -0.6f, 0.8f);
+  Bsdf coated = DiffuseBsdf(Spectrum(0.5f, 0.5f, 0.5f));
+  coated.coat = 1;
+  coated.coatEta = 1.5f;
+  coated.underCoat = Spectrum(0.6f, 0.6f, 0.6f);
+  coated.pickCoat = 0.375f;
+  coated.pickDiffuse = 0.625f;
+  Bsdf fuzzy = DiffuseBsdf(Spectrum(0.5f, 0.5f, 0.5f));
+  fuzzy.underFuzz = 0.7f;
+  for (const Bsdf& whole : {coated, fuzzy}) {
+    const Bsdf below = OnlyLobes(whole, LOBE_DIFFUSE);
+    EXPECT_FLOAT_EQ(below.pickDiffuse, 1.0f);
+    float pdf;
+    const float expected = EvalBsdf(whole, wo, wi, pdf).x;
+    EXPECT_LT(expected, 0.36f * wi.z * InvPi);
+    EXPECT_EQ(EvalBsdf(below, wo, wi, pdf).x, expected);
+    EXPECT_LT(SampleBsdf(below, wo, 0.5f, vec2(0.3f, 0.6f)).weight.x, 0.36f);
+  }
+}
+
 }  // namespace
 }  // namespace snell::kernel

@@ -123,6 +123,19 @@ FN Bsdf WithoutSubsurface(IN(Bsdf) from) {
   return b;
 }
 
+// Make the probabilities of the lobes sum to 1, or leave them at 0.
+FN void NormalizePicks(INOUT(Bsdf) b) {
+  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
+              b.pickSubsurface + b.pickFuzz;
+  float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
+  b.pickCoat *= scale;
+  b.pickBase *= scale;
+  b.pickDiffuse *= scale;
+  b.pickDiffuseTransmission *= scale;
+  b.pickSubsurface *= scale;
+  b.pickFuzz *= scale;
+}
+
 // Kinds of lobes, as bits.
 CONST uint LOBE_DIFFUSE = 1u;  // matt, below the surface, fuzz
 CONST uint LOBE_SPECULAR = 2u;
@@ -159,15 +172,7 @@ FN Bsdf OnlyLobes(IN(Bsdf) from, uint lobes) {
   }
   if (!refraction) b.closed = 1u;
   if (!specular && !refraction) b.pickBase = 0.0f;
-  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
-              b.pickSubsurface + b.pickFuzz;
-  float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
-  b.pickCoat *= scale;
-  b.pickBase *= scale;
-  b.pickDiffuse *= scale;
-  b.pickDiffuseTransmission *= scale;
-  b.pickSubsurface *= scale;
-  b.pickFuzz *= scale;
+  NormalizePicks(b);
   return b;
 }
 

@@ -154,15 +154,7 @@ SCENE_FN void SetPicks(INOUT(Bsdf) b, vec3 wo, Spectrum reflected, float transmi
   b.pickDiffuse = passed * (MeanChannel(b.diffuse) + evenly);
   b.pickDiffuseTransmission = passed * (MeanChannel(b.diffuseTransmission) + evenlyThrough);
   b.pickFuzz = fuzzReflected;
-  float sum = b.pickCoat + b.pickBase + b.pickDiffuse + b.pickDiffuseTransmission +
-              b.pickSubsurface + b.pickFuzz;
-  float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
-  b.pickCoat *= scale;
-  b.pickBase *= scale;
-  b.pickDiffuse *= scale;
-  b.pickDiffuseTransmission *= scale;
-  b.pickSubsurface *= scale;
-  b.pickFuzz *= scale;
+  NormalizePicks(b);
 }
 
 // Whether a material has nothing but its matt base, whatever its textures.
