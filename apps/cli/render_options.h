@@ -45,6 +45,8 @@ struct RenderArguments {
   FilmArguments film;
 
   std::optional<int> threads;
+  std::string device = "auto";
+  bool gpuDebug = false;
   bool quiet = false;
   std::optional<std::string> stats;
 };

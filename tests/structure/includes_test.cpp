@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> MayInclude = {
     {"render", {"scene", "image", "kernel", "util"}},
     {"io", {"scene", "image", "util"}},
     {"cpu", {"render", "tessellate", "scene", "bvh", "image", "kernel", "util"}},
-    {"gpu", {"render", "scene", "bvh", "image", "kernel", "util"}},
+    {"gpu", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
     {"selftest", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
     {"api",
      {"selftest", "io", "cpu", "gpu", "render", "tessellate", "scene", "image", "bvh", "kernel",
