@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cpu/render_cpu.h"
+#include "gpu/choose.h"
 #include "gpu/render_gpu.h"
 #include "util/timer.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 // None if "auto" finds no GPU that is hardware and can render, which is no fault.
 std::unique_ptr<gpu::GpuRenderer> OpenGpu(const RenderOptions& options) {
+  if (options.device == "auto" && !options.gpuDebug && !gpu::MayHaveHardware()) return nullptr;
   try {
     return std::make_unique<gpu::GpuRenderer>(gpu::GpuOptions{options.device, options.gpuDebug});
   } catch (const Error&) {

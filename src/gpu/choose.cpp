@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 
 namespace snell::gpu {
 
@@ -34,6 +35,20 @@ const PhysicalDevice& RequireCapable(const PhysicalDevice& device) {
 }
 
 }  // namespace
+
+bool MayHaveHardware() {
+#ifdef __linux__
+  // Drivers work through one of these
+  for (const char* node :
+       {"/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/kgsl-3d0", "/dev/mali0"}) {
+    std::error_code ignored;
+    if (std::filesystem::exists(node, ignored)) return true;
+  }
+  return SimulatedFault("software-is-hardware").has_value();
+#else
+  return true;
+#endif
+}
 
 const PhysicalDevice* BestDevice(const VulkanInstance& instance, bool orSoftware) {
   const PhysicalDevice* best = nullptr;

@@ -9,6 +9,10 @@
 
 namespace snell::gpu {
 
+// False if the system has no GPU that is hardware for certain: then Vulkan, whose software drivers take their time to
+// load, need not be asked.
+bool MayHaveHardware();
+
 // The best of the devices that can render, if there is one.
 const PhysicalDevice* BestDevice(const VulkanInstance& instance, bool orSoftware);
 
