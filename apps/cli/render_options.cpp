@@ -171,7 +171,7 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.exposure = arguments.exposure;
   options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
-  options.device = arguments.device;
+  options.device = arguments.device.value_or("auto");
   options.gpuDebug = arguments.gpuDebug;
   return options;
 }

@@ -45,7 +45,7 @@ struct RenderArguments {
   FilmArguments film;
 
   std::optional<int> threads;
-  std::string device = "auto";
+  std::optional<std::string> device;
   bool gpuDebug = false;
   bool quiet = false;
   std::optional<std::string> stats;

@@ -94,15 +94,14 @@ SCENE_FN Hit Search(IN(Ray) ray, float tMax, uint mask, bool anyWillDo) {
   hit.primitive = None;
   hit.instance = None;
   float best = tMax;
-  MeetShapes(0u, traceWorld.unboundedCount, ray, mask, best, hit);
-  uint child = traceWorld.tree.root;
-  if (child == None || (traceWorld.tree.mask & mask) == 0u) return hit;
-
   uvec2 stack[TraceStackSize];  // nodes, and which of their children are still to be seen
   uint top = 0u;
   uint bottom = None;  // of the stack's part that belongs to the instance
   uint instance = None;
-  uvec2 group = uvec2(0u, 0u);
+  // The shapes without bounds come first, and the tree, if rays of this mask see it, waits as a group of its own
+  uint child = None;
+  bool hasTree = traceWorld.tree.root != None && (traceWorld.tree.mask & mask) != 0u;
+  uvec2 group = uvec2(None, hasTree ? 1u : 0u);
   NodeRay nodeRay = PrepareForNodes(ray.o, ray.d, traceWorld.tree.slack);
   ShearedRay sheared = Shear(ray.o, ray.d);
   for (;;) {
@@ -111,6 +110,11 @@ SCENE_FN Hit Search(IN(Ray) ray, float tMax, uint mask, bool anyWillDo) {
     uint kind = child >> TRACE_KIND_SHIFT & 3u;
     uint count = (child >> TRACE_COUNT_SHIFT & 7u) + 1u;
     uint first = child & TRACE_FIRST_MASK;
+    if (child == None) {
+      kind = TRACE_SHAPES;
+      first = 0u;
+      count = traceWorld.unboundedCount;
+    }
     uint met = 0u;
     if (!isLeaf) {
       met = MeetChildren(child, nodeRay, best);
@@ -153,6 +157,8 @@ SCENE_FN Hit Search(IN(Ray) ray, float tMax, uint mask, bool anyWillDo) {
     group.y = group.y & ~(1u << bit);
     if ((group.x & TRACE_LEAF) == 0u) {
       child = traceNodes[group.x].child[bit ^ nodeRay.upward];
+    } else if (group.x == None) {
+      child = traceWorld.tree.root;
     } else {
       // Enter an instance, unless rays of this mask do not see it
       uint place = (group.x & TRACE_FIRST_MASK) + bit;
