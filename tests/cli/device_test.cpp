@@ -28,14 +28,27 @@ class OnDevices : public InScratchFolder {
   }
   ~OnDevices() override { ::unsetenv("XDG_CACHE_HOME"); }
 
+  // The driver takes longer to compile the shader than a program of the tests may run; it keeps what it has compiled.
+  static void CompileOnce() {
+    static const bool compiled = [] {
+      const ScratchFolder folder;
+      folder.Write("spheres.nff", SpheresScene());
+      RenderOptions options;
+      options.spp = 1;
+      options.device = "gpu";
+      snell::Render(LoadScene(folder.Path("spheres.nff")), options);
+      return true;
+    }();
+    EXPECT_TRUE(compiled);
+  }
   static bool HasSoftwareGpu() {
     for (const DeviceInfo& device : Devices().devices) {
       if (device.type == "software" && device.missing.empty()) return true;
     }
     return false;
   }
-  Result Render(const std::string& device, const std::string& output,
-                const std::vector<std::string>& more = {}) const {
+  Result RenderOn(const std::string& device, const std::string& output,
+                  const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words = {"render", "spheres.nff", "--spp",    "4",
                                       "-o",     output,        "--device", device};
     words.insert(words.end(), more.begin(), more.end());
@@ -58,10 +71,10 @@ TEST_F(OnDevices, AMissingLoaderOrDriverIsAnErrorOnlyIfAGpuIsAskedFor) {
        {std::pair("no-loader", "there is no Vulkan loader on this machine"),
         std::pair("no-driver", "there is no Vulkan driver on this machine")}) {
     const GpuFault simulated(fault);
-    const Result result = Render("gpu", "a.exr");
+    const Result result = RenderOn("gpu", "a.exr");
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
-    EXPECT_EQ(Render("auto", "b.exr").status, 0);
+    EXPECT_EQ(RenderOn("auto", "b.exr").status, 0);
     EXPECT_NE(Run({"devices"}).out.find(message), std::string::npos);
     if (std::string(fault) == "no-driver" && !HasSoftwareGpu()) break;
   }
@@ -69,7 +82,7 @@ TEST_F(OnDevices, AMissingLoaderOrDriverIsAnErrorOnlyIfAGpuIsAskedFor) {
 
 TEST_F(OnDevices, AnUnknownDeviceIsAnError) {
   if (!HasSoftwareGpu()) GTEST_SKIP() << "there is no software Vulkan device";
-  const Result result = Render("Voodoo", "a.exr");
+  const Result result = RenderOn("Voodoo", "a.exr");
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("there is no device 'Voodoo'; 'snell devices' lists them"),
             std::string::npos)
@@ -78,34 +91,37 @@ TEST_F(OnDevices, AnUnknownDeviceIsAnError) {
 
 TEST_F(OnDevices, SoftwareGivesTheProcessorsPicture) {
   if (!HasSoftwareGpu()) GTEST_SKIP() << "there is no software Vulkan device";
-  Render("cpu", "cpu.exr", {"--float"});
-  const Result result = Render("gpu", "gpu.exr", {"--float"});
+  CompileOnce();
+  RenderOn("cpu", "cpu.exr", {"--float"});
+  const Result result = RenderOn("gpu", "gpu.exr", {"--float"});
   EXPECT_EQ(result.status, 0) << result.err;
   ExpectSamePictures("cpu.exr", "gpu.exr");
 }
 
 TEST_F(OnDevices, ALostDeviceLeavesPictureAndCheckpoint) {
   if (!HasSoftwareGpu()) GTEST_SKIP() << "there is no software Vulkan device";
-  Render("cpu", "cpu.exr", {"--float"});
+  CompileOnce();
+  RenderOn("cpu", "cpu.exr", {"--float"});
   {
     const GpuFault simulated("lost:2");
-    const Result result = Render("gpu", "gpu.exr", {"--float"});
+    const Result result = RenderOn("gpu", "gpu.exr", {"--float"});
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find("the GPU was lost"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("--resume goes on with it"), std::string::npos) << result.err;
   }
-  EXPECT_EQ(Render("cpu", "gpu.exr", {"--float", "--resume"}).status, 0);
+  EXPECT_EQ(RenderOn("cpu", "gpu.exr", {"--float", "--resume"}).status, 0);
   ExpectSamePictures("cpu.exr", "gpu.exr");
 }
 
 TEST_F(OnDevices, AutomaticallyTheProcessorGoesOn) {
   if (!HasSoftwareGpu()) GTEST_SKIP() << "there is no software Vulkan device";
-  Render("cpu", "cpu.exr", {"--float"});
+  CompileOnce();
+  RenderOn("cpu", "cpu.exr", {"--float"});
   for (const auto& [fault, message] :
        {std::pair("software-is-hardware,lost:2", "the GPU was lost"),
         std::pair("software-is-hardware,memory", "of memory on the GPU")}) {
     const GpuFault simulated(fault);
-    const Result result = Render("auto", "auto.exr", {"--float"});
+    const Result result = RenderOn("auto", "auto.exr", {"--float"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("the processor has rendered instead"), std::string::npos);
@@ -115,16 +131,17 @@ TEST_F(OnDevices, AutomaticallyTheProcessorGoesOn) {
 
 TEST_F(OnDevices, ADamagedCacheOfShadersIsMadeAnew) {
   if (!HasSoftwareGpu()) GTEST_SKIP() << "there is no software Vulkan device";
-  ASSERT_EQ(Render("gpu", "a.exr").status, 0);
+  CompileOnce();
+  ASSERT_EQ(RenderOn("gpu", "a.exr").status, 0);
   std::string name;
   for (const auto& file : std::filesystem::directory_iterator(folder_ / "snell"))
     name = "snell/" + file.path().filename().string();
   ASSERT_NE(name, "") << "no cache was written";
   Write(name, "rubbish");
-  const Result damaged = Render("gpu", "b.exr");
+  const Result damaged = RenderOn("gpu", "b.exr");
   EXPECT_EQ(damaged.status, 0);
   EXPECT_NE(damaged.err.find("the cache of compiled shaders is damaged"), std::string::npos);
-  EXPECT_EQ(Render("gpu", "c.exr").err.find("damaged"), std::string::npos);
+  EXPECT_EQ(RenderOn("gpu", "c.exr").err.find("damaged"), std::string::npos);
 }
 
 }  // namespace
