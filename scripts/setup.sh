@@ -14,8 +14,8 @@ set -euo pipefail
 program_packages=(g++ cmake ninja-build glslc spirv-tools libtbb-dev libglm-dev libfmt-dev
   libtomlplusplus-dev libcli11-dev libopenexr-dev libpng-dev libjpeg-dev libwebp-dev
   libtinyobjloader-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev
-  libosd-dev libassimp-dev libnanovdb-dev zlib1g-dev)
-test_packages=(libgtest-dev libembree-dev libvulkan-dev mesa-vulkan-drivers clang libclang-rt-dev)
+  libosd-dev libassimp-dev libnanovdb-dev libvulkan-dev zlib1g-dev)
+test_packages=(libgtest-dev libembree-dev mesa-vulkan-drivers clang libclang-rt-dev)
 
 # Print the packages' names for other systems, where nothing is installed.
 suggest_packages() {
@@ -24,18 +24,18 @@ snell: without apt, please install what is missing of these packages by hand:
   Fedora:   dnf install gcc-c++ cmake ninja-build glslc spirv-tools tbb-devel glm-devel fmt-devel
               tomlplusplus-devel cli11-devel openexr-devel libpng-devel libjpeg-turbo-devel
               libwebp-devel tinyobjloader-devel json-devel draco-devel meshoptimizer-devel
-              opensubdiv-devel assimp-devel nanovdb-devel zlib-devel;
+              opensubdiv-devel assimp-devel nanovdb-devel vulkan-headers zlib-devel;
               and from its source: tinygltf
-            for the tests: gtest-devel vulkan-headers vulkan-loader-devel mesa-vulkan-drivers
+            for the tests: gtest-devel vulkan-loader mesa-vulkan-drivers
   Arch:     pacman -S --needed gcc cmake ninja shaderc spirv-tools onetbb glm fmt tomlplusplus cli11
               openexr libpng libjpeg-turbo libwebp nlohmann-json draco opensubdiv assimp openvdb
-              zlib; and from the AUR: tinyobjloader tinygltf meshoptimizer
-            for the tests: gtest vulkan-headers vulkan-icd-loader vulkan-swrast
+              vulkan-headers zlib; and from the AUR: tinyobjloader tinygltf meshoptimizer
+            for the tests: gtest vulkan-icd-loader vulkan-swrast
   Homebrew: brew install cmake ninja shaderc spirv-tools tbb glm fmt tomlplusplus cli11
               openexr libpng jpeg-turbo webp nlohmann-json draco meshoptimizer opensubdiv assimp
-              openvdb;
+              openvdb vulkan-headers;
               and from their sources: tinyobjloader tinygltf
-            for the tests: googletest vulkan-headers vulkan-loader molten-vk
+            for the tests: googletest vulkan-loader molten-vk
   Embree 3 (not 4), where there is a package, adds the benchmark of rays; clang with its runtime
   (Fedora: clang compiler-rt; Arch: clang compiler-rt; Homebrew: llvm) adds the fuzzers.
 END

@@ -30,7 +30,8 @@ constexpr const char* Details =
     "  snell render scene.toml --crop 100,50,300,200 -o detail.png\n\n"
     "Ctrl-C ends a render early and writes what there is; pressed again, it ends the program "
     "at once. Long renders save a checkpoint now and then, with which --resume goes on. The exit "
-    "status is 0 if all is well, 1 if a file or the memory is at fault, 2 if the command line is "
+    "status is 0 if all is well, 1 if a file, the memory or a GPU is at fault, 2 if the command "
+    "line is "
     "wrong, and 130 after Ctrl-C.";
 
 ProgressStyle StyleOf(const RenderArguments& arguments) {
@@ -138,6 +139,15 @@ std::string InterruptionText(const RenderReport& report) {
                      SamplesText(report.samplesPerPixel), gaps, more);
 }
 
+std::string FaultText(const RenderReport& report) {
+  return fmt::format("{}; {}{}", report.fault,
+                     report.samplesPerPixel == 0
+                         ? "nothing is written"
+                         : fmt::format("the picture has {} samples per pixel",
+                                       SamplesText(report.samplesPerPixel)),
+                     report.checkpointSaved ? "; --resume goes on with it" : "");
+}
+
 int RunRender(const RenderArguments& arguments) {
   const Timer timer;
   std::vector<Output> outputs = OutputsOf(arguments);
@@ -168,6 +178,7 @@ int RunRender(const RenderArguments& arguments) {
     if (!arguments.quiet) PrintWarning({warning, {arguments.scene}});
   }
   if (result.report.stopped && !arguments.quiet) PrintNote(InterruptionText(result.report));
+  if (!result.report.fault.empty()) PrintError(FaultText(result.report));
 
   // Write what there is
   for (Output& output : outputs) {
@@ -185,14 +196,15 @@ int RunRender(const RenderArguments& arguments) {
   } else if (!options.film.output.empty() && result.report.samplesPerPixel > 0) {
     summary.files.push_back(options.film.output.string());
   }
-  if (allInPlace && !result.report.stopped) RemoveCheckpoint(options.film, result.report);
+  const bool isWhole = !result.report.stopped && result.report.fault.empty();
+  if (allInPlace && isWhole) RemoveCheckpoint(options.film, result.report);
 
   // Sum up
   summary.totalSeconds = timer.Seconds();
   summary.peakBytes = PeakMemoryBytes();
   if (!arguments.quiet) PrintParagraph(SummaryText(summary));
   if (arguments.stats) WriteText(*arguments.stats, SummaryJson(summary));
-  if (!allInPlace) return Failed;
+  if (!allInPlace || !result.report.fault.empty()) return Failed;
   return stop.signal() ? Signalled + stop.signal() : Succeeded;
 }
 

@@ -14,6 +14,7 @@ void AddCheckCommand(Program& program);
 void AddCompareCommand(Program& program);
 void AddReferenceCommand(Program& program);
 void AddSelftestCommand(Program& program);
+void AddDevicesCommand(Program& program);
 void AddCompletionCommand(Program& program);
 void AddManualCommand(Program& program);
 void AddHelpCommand(Program& program);

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
 
   // The program itself
   AddSelftestCommand(program);  // whether its light is right
+  AddDevicesCommand(program);   // what it can render on
   AddHelpCommand(program);
   AddManualCommand(program);
   AddCompletionCommand(program);

@@ -104,6 +104,12 @@ void AddRunOptions(CLI::App& command, RenderArguments& a) {
   AddValue(
       command, "--threads", "N", WholeNumber(1, MaxThreads), a.threads,
       "Threads to work with; all processors without it. The picture is the same for any number");
+  AddValue<std::string>(command, "--device", "DEVICE", ReadText, a.device,
+                        "Where to render: cpu, gpu, gpu:N or a part of a GPU's name as 'snell "
+                        "devices' lists them (auto: "
+                        "a GPU, if there is one that is no software, else the processor)");
+  AddFlag(command, "--gpu-debug", a.gpuDebug,
+          "Let Vulkan's validation layer watch; what it finds are warnings");
   AddFlag(command, "-q,--quiet", a.quiet, "Say nothing but errors");
   AddValue<std::string>(
       command, "--stats", "FILE", ReadText, a.stats,
@@ -176,6 +182,8 @@ RenderOptions RenderOptionsOf(const RenderArguments& arguments,
   options.exposure = arguments.exposure;
   options.film = FilmOptionsOf(arguments.film, outputs, arguments.scene);
   options.threads = arguments.threads.value_or(0);
+  options.device = arguments.device.value_or("auto");
+  options.gpuDebug = arguments.gpuDebug;
   return options;
 }
 

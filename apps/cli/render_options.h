@@ -49,6 +49,8 @@ struct RenderArguments {
   FilmArguments film;
 
   std::optional<int> threads;
+  std::optional<std::string> device;
+  bool gpuDebug = false;
   bool quiet = false;
   std::optional<std::string> stats;
 };

@@ -20,6 +20,7 @@ static const char* EndText(RenderEnd end) {
     case RenderEnd::Noise: return "noise";
     case RenderEnd::Time: return "time";
     case RenderEnd::Stopped: return "signal";
+    case RenderEnd::Fault: return "fault";
   }
   return "";
 }

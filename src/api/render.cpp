@@ -9,8 +9,8 @@
 
 #include "api/film_keeper.h"
 #include "api/film_picture.h"
+#include "api/render_on.h"
 #include "api/version.h"
-#include "cpu/render_cpu.h"
 #include "render/noise.h"
 #include "scene/framing.h"
 #include "scene/settings.h"
@@ -145,6 +145,7 @@ RenderEnd EndOf(render::End end) {
     case render::End::Noise: return RenderEnd::Noise;
     case render::End::Time: return RenderEnd::Time;
     case render::End::Stopped: return RenderEnd::Stopped;
+    case render::End::Fault: return RenderEnd::Fault;
   }
   return RenderEnd::Stopped;
 }
@@ -166,6 +167,7 @@ RenderReport ReportOf(const render::Statistics& statistics) {
   report.device = statistics.device;
   report.threads = statistics.threads;
   report.end = EndOf(statistics.end);
+  report.fault = statistics.fault;
   report.stopped = report.end == RenderEnd::Stopped;
   report.cameraRays = statistics.rays.camera;
   report.reflectedRays = statistics.rays.reflected;
@@ -241,8 +243,8 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   request.filmFile = options.film.checkpoint.string();
   request.save = keeper.Plan();
   if (options.seconds) request.stop.seconds = *options.seconds - timer.Seconds();
-  cpu::CpuRenderer renderer;
-  const render::Statistics statistics = renderer.Render(contents, request, film, progress, stop);
+  const render::Statistics statistics =
+      RenderOnDevice(contents, options, request, film, progress, stop);
 
   RenderResult result;
   result.picture = PictureOf(film);
@@ -250,7 +252,7 @@ RenderResult Render(const Scene& scene, const RenderOptions& options, Progress* 
   result.report.samplesPerPixel = SamplesPerPixel(film);
   result.report.resumedSamples = samplesBefore;
   if (options.noise) result.report.noise = NoiseOf(film, request.stop);
-  keeper.Finish(film, result.report.stopped);
+  keeper.Finish(film, result.report.stopped || !result.report.fault.empty());
   result.report.checkpointSaved = keeper.saved();
   result.report.filmFault = keeper.outputFault();
   for (const std::string& warning : keeper.warnings()) result.report.warnings.push_back(warning);

@@ -55,13 +55,17 @@ struct RenderOptions {
   std::optional<float> exposure;  // stops at which that counts; else the scene's
   FilmOptions film;
   int threads = 0;  // 0: all processors
+  // "cpu"; "gpu", the best one; "gpu:N" or a part of a name (api/devices.h); "auto", the best GPU that is hardware,
+  // or, if there is none or it fails, the processor
+  std::string device = "auto";
+  bool gpuDebug = false;  // let Vulkan's validation layer watch; what it finds are warnings
 };
 
 // The names of AOVs, for messages.
 SNELL_EXPORT std::vector<std::string> KnownAovs();
 
 // Why a render ended.
-enum class RenderEnd { Samples, Noise, Time, Stopped };
+enum class RenderEnd { Samples, Noise, Time, Stopped, Fault };
 
 // How sure a picture is, where noise was asked for.
 struct NoiseReport {
@@ -74,6 +78,7 @@ struct RenderReport {
   std::string device;
   int threads = 0;
   RenderEnd end = RenderEnd::Samples;
+  std::string fault;             // of the device, that ended the render; "" without
   bool stopped = false;          // by the stop flag, before all samples were done
   double samplesPerPixel = 0;    // of the picture, the mean over its pixels
   double resumedSamples = 0;     // of these, those that were there before

@@ -7,6 +7,7 @@
 //   snell::WritePicture("bunny.png", result.picture);
 #pragma once
 
+#include "devices.h"
 #include "merge.h"
 #include "picture.h"
 #include "render.h"

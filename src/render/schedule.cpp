@@ -79,4 +79,9 @@ void Interruptions::SaveIfDue(const Film& film) {
   nextSave_ = after + std::max(plan_.interval, (after - before) / SaveShare);
 }
 
+End Interruptions::Ended(const PassPlan& plan, const Film& film) const {
+  if (plan.samples > 0) return Stopped() ? End::Stopped : End::Time;
+  return plan.resting == film.pixels().size() ? End::Noise : End::Samples;
+}
+
 }  // namespace snell::render

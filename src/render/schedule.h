@@ -16,7 +16,7 @@
 namespace snell::render {
 
 // Why a render ended.
-enum class End { Samples, Noise, Time, Stopped };
+enum class End { Samples, Noise, Time, Stopped, Fault };
 
 // A render ends at the first of these.
 struct StopConditions {
@@ -65,6 +65,8 @@ class Interruptions {
 
   // Between passes or while workers pause.
   void SaveIfDue(const Film& film);
+  // Why a render ended that had this plan.
+  End Ended(const PassPlan& plan, const Film& film) const;
 
  private:
   const StopConditions& conditions_;

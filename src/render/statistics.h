@@ -42,6 +42,7 @@ struct NonFiniteSample {
 
 struct Statistics {
   End end = End::Samples;
+  std::string fault;  // of the device, that ended the render
   RayTotals rays;
   std::uint64_t samples = 0;
   std::uint64_t nonFiniteSamples = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The CPU's BVH against the GPU's plainest search, both in C++, over whole pictures: the same bits. And the
+// The CPU's BVH against the GPUs' search and the plainest one, all in C++, over whole pictures: the same bits. And the
 // loop budget of software drivers: after 65,535 passes through loop bodies Mesa's driver (22.3) ends all
 // loops of an invocation without a word. It runs eight invocations at a time in the lanes of vectors, which
 // pass through a loop together as long as one of them wants to and share the counter, so the sum over such
@@ -26,7 +26,7 @@ constexpr std::uint32_t LoopBudget = 65535;
 
 constexpr std::size_t GroupSize = 8;  // in a row of a work group; divides the pictures' width
 
-class BruteForce : public testing::TestWithParam<std::tuple<scene::Integrator, std::string>> {
+class Searches : public testing::TestWithParam<std::tuple<scene::Integrator, std::string>> {
  protected:
   cpu::FlatScene Flat() const {
     scene::Scene scene = SceneNamed(std::get<1>(GetParam()));
@@ -36,24 +36,29 @@ class BruteForce : public testing::TestWithParam<std::tuple<scene::Integrator, s
   }
 };
 
-TEST_P(BruteForce, FindsWhatTheBvhFinds) {
+TEST_P(Searches, FindWhatTheBvhFinds) {
   cpu::FlatScene scene = Flat();
   const bvh::Bvh bvh(scene.Geometry());
+  const gpu::TraceArrays tree = gpu::ToTraceArrays(bvh, scene.Geometry());
   for (std::uint32_t sample = 0; sample < Samples; ++sample) {
     SCOPED_TRACE("sample " + std::to_string(sample));
-    const BruteForceSample tested = RenderByBruteForce(scene, sample);
     std::vector<kernel::AovSample> aovs;
-    EXPECT_EQ(Difference("brute force", tested.radiance, "BVH",
-                         RenderByBvh(scene, bvh, sample, &aovs), 64),
-              "");
-    EXPECT_EQ(Difference("brute force", tested.aovs, "BVH", aovs, 64), "");
+    const std::vector<kernel::Spectrum> radiance = RenderByBvh(scene, bvh, sample, &aovs);
+    const CountedSample plain = RenderByBruteForce(scene, sample);
+    EXPECT_EQ(Difference("brute force", plain.radiance, "BVH", radiance, 64), "");
+    EXPECT_EQ(Difference("brute force", plain.aovs, "BVH", aovs, 64), "");
+    const CountedSample gpus = RenderByGpuSearch(scene, tree, sample);
+    EXPECT_EQ(Difference("GPUs' search", gpus.radiance, "BVH", radiance, 64), "");
+    EXPECT_EQ(Difference("GPUs' search", gpus.aovs, "BVH", aovs, 64), "");
   }
 }
 
-TEST_P(BruteForce, StaysWithinTheLoopBudget) {
-  const cpu::FlatScene scene = Flat();
+TEST_P(Searches, StayWithinTheLoopBudget) {
+  cpu::FlatScene scene = Flat();
+  const bvh::Bvh bvh(scene.Geometry());
+  const gpu::TraceArrays tree = gpu::ToTraceArrays(bvh, scene.Geometry());
   for (std::uint32_t sample = 0; sample < Samples; ++sample) {
-    const std::vector<std::uint32_t> loops = RenderByBruteForce(scene, sample).loops;
+    const std::vector<std::uint32_t> loops = RenderByGpuSearch(scene, tree, sample).loops;
     for (auto group = loops.begin(); group != loops.end(); group += GroupSize) {
       const std::size_t pixel = std::size_t(group - loops.begin());
       ASSERT_LE(std::accumulate(group, group + GroupSize, 0u), LoopBudget)
@@ -63,11 +68,11 @@ TEST_P(BruteForce, StaysWithinTheLoopBudget) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Whitted, BruteForce,
+INSTANTIATE_TEST_SUITE_P(Whitted, Searches,
                          testing::Combine(testing::Values(scene::Integrator::Whitted),
                                           testing::ValuesIn(SceneNames())),
                          [](const auto& scene) { return std::get<1>(scene.param); });
-INSTANTIATE_TEST_SUITE_P(Path, BruteForce,
+INSTANTIATE_TEST_SUITE_P(Path, Searches,
                          testing::Combine(testing::Values(scene::Integrator::Path),
                                           testing::ValuesIn(SceneNames())),
                          [](const auto& scene) { return std::get<1>(scene.param); });

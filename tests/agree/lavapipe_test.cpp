@@ -25,7 +25,8 @@ class OnDevice : public testing::TestWithParam<std::string> {
  protected:
   static void Open(scene::Integrator integrator) {
     try {
-      device_ = std::make_unique<VulkanDevice>();
+      instance_ = std::make_unique<gpu::VulkanInstance>();
+      device_ = std::make_unique<gpu::VulkanDevice>(*instance_, DeviceToCompare(*instance_));
     } catch (const Error& error) {
       whyNot_ = error.what();
       return;
@@ -35,6 +36,7 @@ class OnDevice : public testing::TestWithParam<std::string> {
   static void TearDownTestSuite() {
     kernel_.reset();
     device_.reset();
+    instance_.reset();
   }
 
   void SetUp() override {
@@ -52,23 +54,26 @@ class OnDevice : public testing::TestWithParam<std::string> {
     source.settings.aovs.Add(scene::Aov::All);
     cpu::FlatScene scene = cpu::Flatten(source, source.settings, source.cameras[0]);
     const bvh::Bvh bvh(scene.Geometry());
-    kernel_->Upload(scene);
+    kernel_->Upload(scene, gpu::ToTraceArrays(bvh, scene.Geometry()));
+    const std::string name = device_->physical().name;
     for (std::uint32_t sample = 0; sample < Samples; ++sample) {
       SCOPED_TRACE("sample " + std::to_string(sample));
       std::vector<kernel::AovSample> aovs;
       const auto onCpu = RenderByBvh(scene, bvh, sample, &aovs);
-      const auto onDevice = kernel_->Render(sample);
+      std::vector<kernel::AovSample> aovsOnDevice;
+      const auto onDevice = kernel_->Render(sample, aovsOnDevice);
       EXPECT_EQ(CountNonFinite(onCpu), 0u);
-      if (device_->software()) {
-        EXPECT_EQ(Difference("CPU", onCpu, device_->name().c_str(), onDevice, 64), "");
-        EXPECT_EQ(Difference("CPU", aovs, device_->name().c_str(), kernel_->Aovs(), 64), "");
+      if (device_->physical().Software()) {
+        EXPECT_EQ(Difference("CPU", onCpu, name.c_str(), onDevice, 64), "");
+        EXPECT_EQ(Difference("CPU", aovs, name.c_str(), aovsOnDevice, 64), "");
       } else {
-        EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << device_->name();
+        EXPECT_EQ(DifferenceBeyondRounding(onCpu, onDevice), "") << name;
       }
     }
   }
 
-  static inline std::unique_ptr<VulkanDevice> device_;
+  static inline std::unique_ptr<gpu::VulkanInstance> instance_;
+  static inline std::unique_ptr<gpu::VulkanDevice> device_;
   static inline std::unique_ptr<KernelOnVulkan> kernel_;
   static inline std::string whyNot_;
 };

@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "agree/brute_force.h"
 #include "agree/spirv.h"
+#include "gpu/records.h"
 #include "kernel/aov.h"
 #include "kernel/types.h"
 
@@ -41,6 +41,8 @@ SNELL_GLSL_NAME(ColorSource)
 SNELL_GLSL_NAME(ScalarSource)
 SNELL_GLSL_NAME(Environment)
 SNELL_GLSL_NAME(Medium)
+SNELL_GLSL_NAME(RayCounts)
+SNELL_GLSL_NAME(TraceTree)
 SNELL_GLSL_NAME(Transform)
 #undef SNELL_GLSL_NAME
 template <>
@@ -57,6 +59,15 @@ const char* NameInGlsl<Spectrum[MaxLightGroups]>() {
 template <>
 const char* NameInGlsl<uint[RoleCount]>() {
   return "uint[26]";
+}
+
+template <>
+const char* NameInGlsl<uint[12]>() {
+  return "uint[12]";
+}
+template <>
+const char* NameInGlsl<uint[8]>() {
+  return "uint[8]";
 }
 
 struct Record {
@@ -246,10 +257,30 @@ std::map<std::string, Record> RecordsInCpp() {
          MEMBER(AovSample, depth), MEMBER(AovSample, position), MEMBER(AovSample, uv),
          MEMBER(AovSample, described), MEMBER(AovSample, albedo), MEMBER(AovSample, normal),
          MEMBER(AovSample, group), MEMBER(AovSample, direct), MEMBER(AovSample, groups)}}},
-      {"PrimitiveCounts",
-       {sizeof(PrimitiveCounts),
-        {MEMBER(PrimitiveCounts, shapes), MEMBER(PrimitiveCounts, worldTriangles),
-         MEMBER(PrimitiveCounts, instances)}}},
+      {"TraceNode",
+       {sizeof(TraceNode),
+        {MEMBER(TraceNode, origin), MEMBER(TraceNode, exponents), MEMBER(TraceNode, planes),
+         MEMBER(TraceNode, child)}}},
+      {"TraceTriangle",
+       {sizeof(TraceTriangle),
+        {MEMBER(TraceTriangle, v0), MEMBER(TraceTriangle, v1), MEMBER(TraceTriangle, v2),
+         MEMBER(TraceTriangle, index), MEMBER(TraceTriangle, mask)}}},
+      {"TraceTree",
+       {sizeof(TraceTree),
+        {MEMBER(TraceTree, root), MEMBER(TraceTree, instance), MEMBER(TraceTree, mask),
+         MEMBER(TraceTree, slack)}}},
+      {"TraceWorld",
+       {sizeof(TraceWorld), {MEMBER(TraceWorld, tree), MEMBER(TraceWorld, unboundedCount)}}},
+      {"SampleRequest",
+       {sizeof(SampleRequest), {MEMBER(SampleRequest, pixel), MEMBER(SampleRequest, index)}}},
+      {"RayCounts",
+       {sizeof(RayCounts),
+        {MEMBER(RayCounts, camera), MEMBER(RayCounts, reflected), MEMBER(RayCounts, refracted),
+         MEMBER(RayCounts, shadow)}}},
+      {"SampleResult",
+       {sizeof(SampleResult),
+        {MEMBER(SampleResult, L), MEMBER(SampleResult, held), MEMBER(SampleResult, rays),
+         MEMBER(SampleResult, dropped)}}},
       {"vec2", {sizeof(vec2), {}}},
       {"vec3", {sizeof(vec3), {}}},
       {"vec4", {sizeof(vec4), {}}},
@@ -290,7 +321,7 @@ TEST(Layout, ElementsFollowAtTheSizeOfTheRecord) {
     EXPECT_EQ(array.stride, records[array.element].size) << array.element;
     elements.insert(array.element);
   }
-  EXPECT_EQ(elements.size(), 21u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
+  EXPECT_EQ(elements.size(), 26u) << "kinds of arrays in src/gpu/shaders/buffers.glsl";
 }
 
 TEST(Layout, BuffersBeginWithTheirContent) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t Magic = 0x07230203;
 constexpr std::size_t HeaderWords = 5;
 
-enum Decoration : std::uint32_t { Block = 2, ArrayStride = 6, Offset = 35, NoContraction = 42 };
+enum Decoration : std::uint32_t { Block = 2, ArrayStride = 6, Offset = 35 };
 
 enum Opcode : std::uint32_t {
   OpName = 5,
@@ -34,31 +34,7 @@ enum Opcode : std::uint32_t {
   OpConstant = 43,
   OpDecorate = 71,
   OpMemberDecorate = 72,
-  OpFNegate = 127,
-  OpFAdd = 129,
-  OpFSub = 131,
-  OpFMul = 133,
-  OpFDiv = 136,
-  OpFRem = 140,
-  OpFMod = 141,
-  OpVectorTimesScalar = 142,
-  OpDot = 148,
 };
-
-// What NoContraction applies to; the opcodes from OpVectorTimesScalar to OpDot are products of vectors and
-// matrices.
-bool IsFloatArithmetic(std::uint32_t opcode) {
-  switch (opcode) {
-    case OpFNegate:
-    case OpFAdd:
-    case OpFSub:
-    case OpFMul:
-    case OpFDiv:
-    case OpFRem:
-    case OpFMod: return true;
-    default: return opcode >= OpVectorTimesScalar && opcode <= OpDot;
-  }
-}
 
 struct Instruction {
   std::uint32_t opcode;
@@ -101,25 +77,6 @@ SpirvModule ReadSpirv(const std::filesystem::path& path) {
       module[0] != Magic)
     throw Error("this is no SPIR-V module", {path.string()});
   return module;
-}
-
-SpirvModule WithNoContraction(std::span<const std::uint32_t> module) {
-  // Find the results, and the end of the annotations: the first declaration of a type
-  std::vector<std::uint32_t> results;
-  std::size_t annotationsEnd = 0;
-  ForEachInstruction(module, [&](const Instruction& instruction) {
-    const bool type =
-        instruction.opcode >= OpTypeVoid && instruction.opcode <= OpTypeForwardPointer;
-    if (type && annotationsEnd == 0) annotationsEnd = instruction.position;
-    if (IsFloatArithmetic(instruction.opcode)) results.push_back(instruction.operands[1]);
-  });
-
-  // Put a decoration for each there
-  SpirvModule decorated(module.begin(), module.begin() + std::ptrdiff_t(annotationsEnd));
-  for (const std::uint32_t result : results)
-    decorated.insert(decorated.end(), {3u << 16 | OpDecorate, result, NoContraction});
-  decorated.insert(decorated.end(), module.begin() + std::ptrdiff_t(annotationsEnd), module.end());
-  return decorated;
 }
 
 SpirvLayouts ReadLayouts(std::span<const std::uint32_t> module) {

@@ -12,16 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "gpu/program.h"
+
 namespace snell::agree {
 
-using SpirvModule = std::vector<std::uint32_t>;
+using gpu::SpirvModule;
 
 // The words of a file. Throws Error if it cannot be read or does not begin as a module does.
 SpirvModule ReadSpirv(const std::filesystem::path& path);
-
-// The module with every result of floating-point arithmetic decorated as NoContraction, so that a compiler
-// must not fuse or regroup operations. Functions are left as they are: only decorations are added.
-SpirvModule WithNoContraction(std::span<const std::uint32_t> module);
 
 struct SpirvMember {
   std::string name;

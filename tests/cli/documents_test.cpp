@@ -10,8 +10,9 @@
 namespace snell::test {
 namespace {
 
-const char* const CommandNames[] = {"render",    "merge",    "compare", "info",   "check",
-                                    "reference", "selftest", "help",    "manual", "completion"};
+const char* const CommandNames[] = {"render", "merge",     "compare",   "info",
+                                    "check",  "reference", "selftest",  "devices",
+                                    "help",   "manual",    "completion"};
 
 std::string Output(const std::vector<std::string>& arguments) {
   const Result result = RunSnell(arguments);
@@ -91,6 +92,8 @@ TEST_F(Documents, EachCommandHasAPage) {
                                    "--allow",
                                    "--limit",
                                    "--threads",
+                                   "--device",
+                                   "--gpu-debug",
                                    "--quiet",
                                    "--stats",
                                    "--help"}));

@@ -19,7 +19,7 @@ const Mistake Mistakes[] = {
     {{"frobnicate"},
      "unknown command 'frobnicate'; the commands are: render, merge, compare, info, check, "
      "reference, "
-     "selftest, help, "
+     "selftest, devices, help, "
      "manual, completion"},
     {{"scene.toml"}, "'scene.toml' is not a command; to render it: snell render scene.toml"},
     {{"help", "rendr"}, "unknown command 'rendr'; did you mean 'render'?"},

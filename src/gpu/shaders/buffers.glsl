@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The scene's buffers under the names that the kernel reads (in C++: src/cpu/kernel.h).
+// The scene's buffers under the names that the kernel and the search read (in C++: src/cpu/kernel.h), and what goes
+// in and out. src/gpu/sample_tracer.cpp binds them in this order.
 #ifndef SNELL_GPU_BUFFERS_GLSL
 #define SNELL_GPU_BUFFERS_GLSL
 
-struct PrimitiveCounts {
-  uint shapes;
-  uint worldTriangles;
-  uint instances;
-};
+#include "gpu/records.h"
 
-layout(scalar, set = 0, binding = 0) readonly buffer ParamsBuffer { RenderParams params; };
-layout(scalar, set = 0, binding = 1) readonly buffer CountsBuffer { PrimitiveCounts counts; };
-layout(scalar, set = 0, binding = 2) readonly buffer ObjectBuffer { Object objects[]; };
-layout(scalar, set = 0, binding = 3) readonly buffer ShapeBuffer { Shape shapes[]; };
-layout(scalar, set = 0, binding = 4) readonly buffer InstanceBuffer { Instance instances[]; };
-layout(scalar, set = 0, binding = 5) readonly buffer MeshBuffer { Mesh meshes[]; };
-layout(scalar, set = 0, binding = 6) readonly buffer TriangleBuffer { Triangle triangles[]; };
-layout(scalar, set = 0, binding = 7) readonly buffer PositionBuffer { vec3 positions[]; };
-layout(scalar, set = 0, binding = 8) readonly buffer NormalBuffer { vec3 normals[]; };
-layout(scalar, set = 0, binding = 9) readonly buffer UvBuffer { vec2 uvs[]; };
-layout(scalar, set = 0, binding = 10) readonly buffer TangentBuffer { vec4 tangents[]; };
-layout(scalar, set = 0, binding = 11) readonly buffer ColorBuffer { vec4 colors[]; };
-layout(scalar, set = 0, binding = 12) readonly buffer MaterialBuffer { Material materials[]; };
-layout(scalar, set = 0, binding = 13) readonly buffer TermBuffer { Term terms[]; };
-layout(scalar, set = 0, binding = 14) readonly buffer PhysicalBuffer { Physical physicals[]; };
-layout(scalar, set = 0, binding = 15) readonly buffer TextureBuffer { Texture textures[]; };
-layout(scalar, set = 0, binding = 16) readonly buffer ImageBuffer { Image images[]; };
-layout(scalar, set = 0, binding = 17) readonly buffer TexelBuffer { uint texels[]; };
-layout(scalar, set = 0, binding = 18) readonly buffer LightBuffer { Light lights[]; };
-layout(scalar, set = 0, binding = 19) readonly buffer EmitterBuffer { Emitter emitters[]; };
-layout(scalar, set = 0, binding = 20) readonly buffer AlbedoBuffer { float albedos[]; };
-layout(scalar, set = 0, binding = 21) readonly buffer LightNodeBuffer { LightNode lightNodes[]; };
-layout(scalar, set = 0, binding = 22) readonly buffer MotionBuffer { MotionKey motions[]; };
-layout(scalar, set = 0, binding = 23) readonly buffer GridBuffer { Grid grids[]; };
+#define SCENE_BUFFER(index) layout(scalar, set = 0, binding = index) readonly buffer
+
+SCENE_BUFFER(0) ParamsBuffer { RenderParams params; };
+SCENE_BUFFER(1) WorldBuffer { TraceWorld traceWorld; };
+SCENE_BUFFER(2) ObjectBuffer { Object objects[]; };
+SCENE_BUFFER(3) ShapeBuffer { Shape shapes[]; };
+SCENE_BUFFER(4) InstanceBuffer { Instance instances[]; };
+SCENE_BUFFER(5) MeshBuffer { Mesh meshes[]; };
+SCENE_BUFFER(6) TriangleBuffer { Triangle triangles[]; };
+SCENE_BUFFER(7) PositionBuffer { vec3 positions[]; };
+SCENE_BUFFER(8) NormalBuffer { vec3 normals[]; };
+SCENE_BUFFER(9) UvBuffer { vec2 uvs[]; };
+SCENE_BUFFER(10) TangentBuffer { vec4 tangents[]; };
+SCENE_BUFFER(11) ColorBuffer { vec4 colors[]; };
+SCENE_BUFFER(12) MaterialBuffer { Material materials[]; };
+SCENE_BUFFER(13) TermBuffer { Term terms[]; };
+SCENE_BUFFER(14) PhysicalBuffer { Physical physicals[]; };
+SCENE_BUFFER(15) TextureBuffer { Texture textures[]; };
+SCENE_BUFFER(16) ImageBuffer { Image images[]; };
+SCENE_BUFFER(17) TexelBuffer { uint texels[]; };
+SCENE_BUFFER(18) LightBuffer { Light lights[]; };
+SCENE_BUFFER(19) EmitterBuffer { Emitter emitters[]; };
+SCENE_BUFFER(20) AlbedoBuffer { float albedos[]; };
+SCENE_BUFFER(21) LightNodeBuffer { LightNode lightNodes[]; };
+SCENE_BUFFER(22) MotionBuffer { MotionKey motions[]; };
+SCENE_BUFFER(23) GridBuffer { Grid grids[]; };
+SCENE_BUFFER(24) TraceNodeBuffer { TraceNode traceNodes[]; };
+SCENE_BUFFER(25) TraceTriangleBuffer { TraceTriangle traceTriangles[]; };
+SCENE_BUFFER(26) TraceTreeBuffer { TraceTree traceTrees[]; };
+SCENE_BUFFER(27) TraceShapeBuffer { uint traceShapes[]; };
+
+layout(scalar, set = 0, binding = 28) readonly buffer RequestBuffer { SampleRequest requests[]; };
+layout(scalar, set = 0, binding = 29) writeonly buffer ResultBuffer { SampleResult results[]; };
+layout(scalar, set = 0, binding = 30) writeonly buffer AovBuffer { AovSample aovSamples[]; };
+layout(push_constant) uniform Dispatch { uint requestCount; };
 
 #endif

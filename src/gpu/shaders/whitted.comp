@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Entry point: one sample of every pixel with the Whitted integrator. Writes the radiance, not a mean, and
-// what else the sample tells if it is asked for; the host adds samples up. One sample a dispatch keeps within the loop budget of software drivers.
+// Entry point: samples of pixels with the Whitted integrator, one an invocation; the host adds them up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,7 +8,7 @@
 #include "kernel/values.h"
 
 #include "gpu/shaders/buffers.glsl"
-#include "gpu/shaders/brute_force.glsl"
+#include "gpu/shaders/bvh.glsl"
 
 AovSample aovs[1];
 
@@ -29,19 +28,17 @@ WhittedBranch branches[WhittedStackSize];
 #include "kernel/scene_shadow.h"
 #include "kernel/whitted.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(scalar, set = 0, binding = 24) writeonly buffer AovBuffer { AovSample aovSamples[]; };
-layout(scalar, set = 0, binding = 25) writeonly buffer RadianceBuffer { vec3 radiance[]; };
-layout(push_constant) uniform Dispatch { uint sampleIndex; };
+layout(local_size_x = 64) in;
 
 void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  uvec2 size = params.camera.resolution;
-  if (pixel.x >= size.x || pixel.y >= size.y) return;
+  uint id = gl_GlobalInvocationID.x;
+  if (id >= requestCount) return;
   WhittedState state;
-  WhittedBegin(state, pixel, sampleIndex);
+  WhittedBegin(state, requests[id].pixel, requests[id].index);
   while (state.alive == 1u) WhittedStep(state);
-  uint index = pixel.y * size.x + pixel.x;
-  radiance[index] = state.L;
-  if (params.aovs != 0u) aovSamples[index] = aovs[0];
+  results[id].L = state.L;
+  results[id].held = 0.0f;
+  results[id].rays = state.rays;
+  results[id].dropped = state.dropped;
+  if (params.aovs != 0u) aovSamples[id] = aovs[0];
 }
