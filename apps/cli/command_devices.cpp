@@ -7,8 +7,8 @@
 #include "api/snell.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/json.h"
 #include "cli/values.h"
+#include "util/json.h"
 #include "util/text.h"
 
 namespace snell::cli {

@@ -9,10 +9,10 @@
 #include "api/snell.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/json.h"
 #include "cli/load_options.h"
 #include "cli/values.h"
 #include "util/file.h"
+#include "util/json.h"
 #include "util/text.h"
 
 namespace snell::cli {

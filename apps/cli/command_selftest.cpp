@@ -10,8 +10,8 @@
 #include "api/snell.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/json.h"
 #include "cli/values.h"
+#include "util/json.h"
 #include "util/text.h"
 #include "util/timer.h"
 

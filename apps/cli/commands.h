@@ -12,6 +12,7 @@ void AddMergeCommand(Program& program);
 void AddInfoCommand(Program& program);
 void AddCheckCommand(Program& program);
 void AddCompareCommand(Program& program);
+void AddExplainCommand(Program& program);
 void AddReferenceCommand(Program& program);
 void AddSelftestCommand(Program& program);
 void AddDevicesCommand(Program& program);

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/utf8.h"
+#include "util/utf8.h"
 
 namespace snell::cli {
 

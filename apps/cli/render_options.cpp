@@ -58,27 +58,21 @@ void AddOutputOptions(CLI::App& command, RenderArguments& a) {
             "installed)");
 }
 
-namespace {
-
 void AddViewOptions(CLI::App& command, RenderArguments& a) {
   AddValue<std::pair<int, int>>(
       command, "--size", "WxH", ReadSize, a.size,
       "Width and height in pixels (the scene's, or 800x600); one alone, 1200 or x900, keeps the "
       "proportions");
-  AddValue<std::array<int, 4>>(command, "--crop", "X0,Y0,X1,Y1", ReadCrop, a.crop,
-                               "Render only this part of the picture, in pixels from its top left "
-                               "corner; X1 and Y1 are left out");
   AddValue<std::string>(command, "--camera", "NAME", ReadText, a.camera,
                         "The scene's camera of this name instead of its first one");
 }
 
-void AddQualityOptions(CLI::App& command, RenderArguments& a) {
+void AddSamplesPerPixelOption(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--spp", "N", WholeNumber(1, MaxSamples), a.spp,
            "Samples per pixel; for paths 64 (the scene's, or 16)");
-  AddEndOptions(command, a.film);
-  AddValue<std::pair<std::uint32_t, std::uint32_t>>(
-      command, "--samples", "A:B", ReadSampleRange, a.samples,
-      "Only the samples from number A up to B, which is left out");
+}
+
+void AddTransportOptions(CLI::App& command, RenderArguments& a) {
   AddChoice(command, "--integrator", "whitted|path", a.integrator,
             "How light is followed (the scene's, or path where a material is physical)");
   AddValue(command, "--max-depth", "N", WholeNumber(1, MaxSamples), a.maxDepth,
@@ -98,6 +92,23 @@ void AddQualityOptions(CLI::App& command, RenderArguments& a) {
   AddValue(command, "--clamp-indirect", "X", Number(0, 1e9f), a.clampIndirect,
            "Path tracer: the most that indirect light adds to a pixel at once (the scene's, or 0: "
            "any); removes fireflies, and some light");
+}
+
+namespace {
+
+void AddPartOptions(CLI::App& command, RenderArguments& a) {
+  AddValue<std::array<int, 4>>(command, "--crop", "X0,Y0,X1,Y1", ReadCrop, a.crop,
+                               "Render only this part of the picture, in pixels from its top left "
+                               "corner; X1 and Y1 are left out");
+}
+
+void AddQualityOptions(CLI::App& command, RenderArguments& a) {
+  AddSamplesPerPixelOption(command, a);
+  AddEndOptions(command, a.film);
+  AddValue<std::pair<std::uint32_t, std::uint32_t>>(
+      command, "--samples", "A:B", ReadSampleRange, a.samples,
+      "Only the samples from number A up to B, which is left out");
+  AddTransportOptions(command, a);
 }
 
 void AddRunOptions(CLI::App& command, RenderArguments& a) {
@@ -148,6 +159,7 @@ void AddRenderOptions(CLI::App& command, RenderArguments& arguments) {
           fmt::join(KnownAovs(), ", ")));
   command.option_defaults()->group("View");
   AddViewOptions(command, arguments);
+  AddPartOptions(command, arguments);
   command.option_defaults()->group("Quality");
   AddQualityOptions(command, arguments);
   AddLoadOptions(command, arguments.load);

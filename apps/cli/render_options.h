@@ -57,8 +57,13 @@ struct RenderArguments {
 
 // Declare the options. `arguments` must live until the command line has been parsed.
 void AddRenderOptions(CLI::App& command, RenderArguments& arguments);
-// Those of pictures alone.
+// Some of them alone, which other commands have, too: of pictures,
 void AddOutputOptions(CLI::App& command, RenderArguments& arguments);
+// --size and --camera, --spp,
+void AddViewOptions(CLI::App& command, RenderArguments& arguments);
+void AddSamplesPerPixelOption(CLI::App& command, RenderArguments& arguments);
+// and how light is followed.
+void AddTransportOptions(CLI::App& command, RenderArguments& arguments);
 
 // `outputs` are the pictures that will be written.
 RenderOptions RenderOptionsOf(const RenderArguments& arguments, const std::vector<Output>& outputs);

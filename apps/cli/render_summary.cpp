@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/json.h"
+#include "util/json.h"
 #include "util/text.h"
 
 namespace snell::cli {

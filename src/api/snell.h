@@ -8,6 +8,7 @@
 #pragma once
 
 #include "devices.h"
+#include "explain.h"
 #include "merge.h"
 #include "picture.h"
 #include "render.h"

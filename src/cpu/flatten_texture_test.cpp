@@ -10,7 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bvh/bvh.h"
-#include "cpu/bind_kernel.h"
+#include "cpu/kernel.h"
 
 namespace snell::cpu {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "cpu/bind_kernel.h"
+#include "cpu/kernel.h"
 #include "cpu/prepare.h"
 #include "render/meter.h"
 #include "render/tally.h"

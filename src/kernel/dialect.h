@@ -10,12 +10,18 @@
 //   IN OUT INOUT(T) parameters; OUT and INOUT are copied in and out in GLSL: never alias them
 //   LET(T)          a local name for an element of a buffer, read only
 //   CONST           a constant of the file
+//   TELL(x)         a call of whoever listens to a sample, for the compilation that explains it (src/explain); in all
+//                   others nothing
 //
 // GLSL types are used in both (vec3, uint, uvec3 …); vectors are GLM's in C++. Products and quotients of
 // constants alone need care: GLSL's compiler folds them in double precision, C++ in single, and the last bit
 // may differ (tests/agree/constants_test.cpp lists the ones that are in use).
 #ifndef SNELL_KERNEL_DIALECT_H
 #define SNELL_KERNEL_DIALECT_H
+
+#ifndef TELL
+#define TELL(x)
+#endif
 
 #ifdef __cplusplus
 

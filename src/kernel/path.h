@@ -50,6 +50,7 @@ SCENE_FN void PathBegin(INOUT(PathState) s, uvec2 pixel, uint sampleIndex) {
   s.lastNormal = vec3(0.0f, 0.0f, 0.0f);
   s.alive = start.weight > 0.0f ? 1u : 0u;
   s.rays.camera = s.alive;
+  TELL(Begins(s.ray, s.beta));
 }
 
 // Add what a ray sees that leaves the scene.
@@ -60,15 +61,19 @@ SCENE_FN void PathAddUnbounded(INOUT(PathState) s, vec3 d, bool fromCamera) {
   Spectrum Le = EnvironmentLe(d, pdf);
   AovPathFeatures(s.beta * s.etaScale, Le, vec3(0.0f, 0.0f, 0.0f));
   if (s.bsdfPdf > 0.0f) Le = Le * (s.bsdfPdf / (s.bsdfPdf + EnvironmentShare() * pdf));
+  TELL(FindsBackground(s.bsdfPdf, EnvironmentShare() * pdf));
   PathAdd(s, s.beta * Le, params.environment.group, vertices);
   for (uint sun = params.environment.firstSun; sun != None; sun = lights[sun].nextSun) {
     Spectrum disc = SunLe(lights[sun], d);
-    if (!IsBlack(disc))
-      PathAdd(s, s.beta * disc * FoundWeight(s, sun, d, Infinite), lights[sun].group, vertices);
+    if (IsBlack(disc)) continue;
+    float weight = FoundWeight(s, sun, d, Infinite);
+    TELL(FindsLight(sun, weight));
+    PathAdd(s, s.beta * disc * weight, lights[sun].group, vertices);
   }
   // Ambient lights light surfaces but are not seen
   if (!fromCamera && !IsBlack(params.ambient)) {
     Spectrum ambient = s.beta * params.ambient;
+    TELL(FindsAmbient());
     Spectrum kept = PathKeep(s, ambient, vertices);
     AovAmbient(s.beta * (MaxChannel(kept) / Max(MaxChannel(ambient), 1e-30f)), vertices);
   }
@@ -84,10 +89,14 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
     PathSkip2D(s);
   }
   BsdfSample next = SampleBsdf(v.bsdf, v.woLocal, lobe, PathSample2D(s));
+  TELL(Samples(v, next, lobe));
   if (next.pdf <= 0.0f) return;
   bool through = next.transmitted == 1u;
   vec3 wi = v.x * next.wi.x + v.y * next.wi.y + v.z * next.wi.z;
-  if ((Dot(wi, v.n) < 0.0f) != through) return;
+  if ((Dot(wi, v.n) < 0.0f) != through) {
+    TELL(SamplesWrongSide());
+    return;
+  }
   s.beta = s.beta * next.weight;
   s.ray.d = Normalize(wi);
   s.ray.o = VertexStart(v, s.ray.d);
@@ -183,6 +192,7 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
   float opacity = OpacityOf(material, shown, it.alpha);
   if (material.singleSided == 1u && Dot(it.n, wo) < 0.0f) opacity = 0.0f;
   if (opacity < 1.0f && PathSample2D(s).x >= opacity) {
+    TELL(PassesOpening(opacity));
     if (s.passes == MaxPasses) return false;
     s.passes += 1u;
     s.media = media;
@@ -198,10 +208,9 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
     if (Dot(it.n, wo) <= 0.0f) return false;
     LET(Light) light = lights[object.light];
     AovPathFeatures(s.beta * s.etaScale, light.emission, n);
-    PathAdd(
-        s,
-        s.beta * light.emission * FoundWeight(s, object.light, s.ray.d, Length(it.p - s.lastPoint)),
-        light.group, PathVertices(s) - 1u);
+    float weight = FoundWeight(s, object.light, s.ray.d, Length(it.p - s.lastPoint));
+    TELL(FindsLight(object.light, weight));
+    PathAdd(s, s.beta * light.emission * weight, light.group, PathVertices(s) - 1u);
     return false;
   }
 
@@ -218,6 +227,7 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
     uint behind = CurrentMedium(mediaBehind);
     if (behind == inside || material.container == 1u || s.walk != None) {
       // Pass a boundary that is not there: within a body of higher priority, or of nothing but a medium
+      TELL(PassesBoundary());
       if (s.passes == MaxPasses) return false;
       s.passes += 1u;
       s.media = mediaBehind;
@@ -228,6 +238,7 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
     }
     eta = MediumIor(behind, s.wavelength) / nearIor;
   }
+  TELL(Meets(it, wo, nearIor, eta, hasInside));
   AovSurface(it);
   Spectrum Le = EmissionAt(material, shown, Dot(wo, it.ns));
   if (!IsBlack(Le)) {
@@ -239,9 +250,11 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
         pdf *= PdfEmitter(emitter, it, s.lastPoint, s.ray.d, Length(it.p - s.lastPoint));
       weight = s.bsdfPdf / (s.bsdfPdf + pdf);
     }
+    TELL(FindsGlow(weight));
     PathAdd(s, s.beta * Le * weight, material.lightGroup, PathVertices(s) - 1u);
   }
   bool deepest = s.depth >= params.maxDepth;
+  TELL(MayScatter(deepest, material.closure != None));
   if (material.closure == None || (deepest && params.aovs == 0u)) return false;
 
   // Set up the surface's scattering in the frame of its shading normal
@@ -281,6 +294,7 @@ SCENE_FN bool SurfaceVertex(INOUT(PathState) s, IN(Hit) hit, INOUT(SurfaceIntera
   if (deepest) return false;
   uint lobes = LobesOpenTo(s, material.thin == 1u);
   if (lobes != ALL_LOBES) v.bsdf = OnlyLobes(v.bsdf, lobes);
+  TELL(Scatters(v, lobes));
   s.coneWidth = coneWidth;
   return true;
 }
@@ -299,11 +313,13 @@ SCENE_FN void PathStep(INOUT(PathState) s) {
     it = SurfaceAt(hit, ray);
     media = MediaBehind(media, it, ray.d);
   }
+  TELL(Follows(ray, hit, it, media));
 
   // See how far the medium lets it, and what of it
   float t;
   float g;
   uint flight = PathFlight(s, media, it.t, t, g);
+  TELL(Flies(flight, t, s.beta));
   if (flight == FLIGHT_OVER) return;
   PathVertex v;
   if (flight == FLIGHT_SCATTERS) {

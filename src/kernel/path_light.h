@@ -22,6 +22,7 @@ SCENE_FN Spectrum PathKeep(INOUT(PathState) s, Spectrum L, uint vertices) {
     s.held += (rest.x + rest.y + rest.z) * (1.0f / 3.0f);
   }
   s.L += kept;
+  TELL(Adds(kept, L));
   return kept;
 }
 
@@ -147,12 +148,14 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
   LightLiSample li;
   float pick;
   if (choice.x < environment) {
+    TELL(TriesBackground());
     li = SampleEnvironmentLi(u);
     pick = environment;
     aovs[0].group = params.environment.group;
   } else {
     choice.x = Min((choice.x - environment) / (1.0f - environment), 0.99999994f);
     uint source = ChooseSource(v.above, VertexFacing(v), choice, pick);
+    TELL(Tries(source));
     if (source == None || pick <= 0.0f) return none;
     if (source >= params.lightCount) {
       li = SampleEmitterLi(emitters[source - params.lightCount], v.above, u);
@@ -164,16 +167,19 @@ SCENE_FN Spectrum SampledLight(INOUT(PathState) s, IN(PathVertex) v) {
       if (light.found == 0u) li.pdf = 0.0f;
     }
   }
+  TELL(SeesLight(li, pick));
   if (IsBlack(li.irradiance)) return none;
   float pdf;
   Spectrum f = EvalVertex(v, li.wi, pdf);
+  TELL(SendsBack(f, pdf));
   if (IsBlack(f)) return none;
   s.rays.shadow += 1u;
-  Spectrum arriving =
-      f * li.irradiance *
-      PathTransmittance(s, VertexStart(v, li.wi), li.wi, li.distance, VertexMedia(v, li.wi));
+  vec3 start = VertexStart(v, li.wi);
+  Spectrum passed = PathTransmittance(s, start, li.wi, li.distance, VertexMedia(v, li.wi));
+  Spectrum arriving = f * li.irradiance * passed;
   // The path's own way finds it, too, unless its density is 0
   float weight = li.pdf > 0.0f ? pick * li.pdf / (pick * li.pdf + pdf) : 1.0f;
+  TELL(Lights(start, li, passed, weight));
   return arriving * (weight / pick);
 }
 

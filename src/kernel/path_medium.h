@@ -18,6 +18,7 @@ SCENE_FN void PathRoulette(INOUT(PathState) s) {
   float survival = Max(sqrt(most), 0.05f);
   if (PathSample2D(s).x >= survival) s.alive = 0u;
   s.beta = s.beta * (1.0f / survival);
+  TELL(Survives(survival, s.alive == 1u));
 }
 
 // What fills the body below whose surface the path wanders.
@@ -55,6 +56,7 @@ SCENE_FN uint PathFlightInGrid(INOUT(PathState) s, IN(Medium) medium, uint objec
   for (uint i = 0u; i < MaxGridSteps; ++i) {
     if (!NextCollision(s, grid, g, sigma, t, greatest, chance)) return FLIGHT_THROUGH;
     float share = GridDensity(grid, g.o + g.d * t) / greatest;
+    TELL(FindsMediumGlow());
     if (!IsBlack(medium.emission))
       PathAdd(s, s.beta * medium.emission * share, 0u, PathVertices(s) - 1u);
     Spectrum scattered = s.beta * medium.scattering * share;
@@ -86,6 +88,7 @@ SCENE_FN uint PathFlight(INOUT(PathState) s, IN(MediumStack) media, float distan
   if (medium.grid != None) return PathFlightInGrid(s, medium, object, distance, t);
   float reach = Min(distance, LongestFlight);
   t = reach;
+  TELL(FindsMediumGlow());
   if (!IsBlack(medium.emission))
     PathAdd(s, s.beta * medium.emission * GlowLength(medium.extinction, reach), 0u,
             PathVertices(s) - 1u);
@@ -118,6 +121,7 @@ SCENE_FN PathVertex MediumVertex(INOUT(PathState) s, IN(MediumStack) media, floa
 SCENE_FN void PathScatter(INOUT(PathState) s, IN(PathVertex) v) {
   s.ray.o = v.above;
   s.ray.d = SamplePhase(v.g, v.wo, PathSample2D(s));
+  TELL(ScattersInMedium(s.ray));
   s.media = v.before;
   s.passes = 0u;
   s.bsdfPdf = s.walk != None ? 0.0f : EvalPhase(v.g, v.wo, s.ray.d);

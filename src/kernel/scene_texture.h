@@ -17,7 +17,10 @@ SCENE_FN vec4 EvalTextureAt(IN(Texture) texture, IN(SurfaceInteraction) it, vec2
 
 SCENE_FN vec4 EvalTexture(uint index, IN(SurfaceInteraction) it) {
   LET(Texture) texture = textures[index];
-  return EvalTextureAt(texture, it, texture.uvSet == 1u ? it.uv1 : it.uv);
+  vec2 uv = texture.uvSet == 1u ? it.uv1 : it.uv;
+  vec4 texel = EvalTextureAt(texture, it, uv);
+  TELL(Reads(index, uv, texel));
+  return texel;
 }
 
 SCENE_FN Spectrum EvalColor(IN(ColorSource) source, IN(SurfaceInteraction) it) {

@@ -45,6 +45,7 @@ SCENE_FN void WhittedBegin(INOUT(WhittedState) s, uvec2 pixel, uint sampleIndex)
   s.branch.media = params.camera.inside == 1u ? MediaAround(s.branch.ray) : NoMedia();
   s.alive = start.weight > 0.0f ? 1u : 0u;
   s.rays.camera = s.alive;
+  TELL(Begins(s.branch.ray, s.branch.weight));
 }
 
 // Go on with the branch that waited last, or end.
@@ -55,13 +56,16 @@ SCENE_FN void WhittedNext(INOUT(WhittedState) s) {
   }
   s.waiting -= 1u;
   s.branch = branches[s.waiting];
+  TELL(Resumes(s.waiting));
 }
 
 SCENE_FN void WhittedWait(INOUT(WhittedState) s, IN(WhittedBranch) branch) {
   if (s.waiting == WhittedStackSize) {
     s.dropped += 1u;
+    TELL(Drops());
     return;
   }
+  TELL(Waits(s.waiting));
   branches[s.waiting] = branch;
   s.waiting += 1u;
 }
@@ -118,8 +122,12 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
       LightLiSample li =
           SampleLi(light, it.p, Sobol2D(s.sampleIndex * sampleCount + i, dimensionSeed));
       li.irradiance = li.irradiance * ProfileShare(light, it.p);
+      TELL(Tries(lightIndex));
+      TELL(SeesLight(li, 1.0f));
       bool faces = Dot(n, li.wi) > 0.0f;
-      if (IsBlack(li.irradiance) || !(faces || Dot(meshNormal, li.wi) > 0.0f)) continue;
+      bool mayFace = faces || Dot(meshNormal, li.wi) > 0.0f;
+      TELL(FacesLight(mayFace));
+      if (IsBlack(li.irradiance) || !mayFace) continue;
 
       // Add up the terms, then see whether the light arrives
       Spectrum f = Spectrum(0.0f, 0.0f, 0.0f);
@@ -134,11 +142,14 @@ SCENE_FN Spectrum TermsLo(INOUT(WhittedState) s, IN(SurfaceInteraction) it, IN(H
           f += TermColor(term, it, shares) * lobe;
         }
       }
+      TELL(SendsBack(f, 0.0f));
       if (IsBlack(f)) continue;
       vec3 start = OffsetRayOrigin(it.p, it.pError, n, n);
       if (!faces && !LiftToSmoothSurface(hit, it, n, start)) continue;
       s.rays.shadow += 1u;
-      sum += f * li.irradiance * LightTransmittance(start, li.wi, li.distance, media, it.time);
+      Spectrum passed = LightTransmittance(start, li.wi, li.distance, media, it.time);
+      sum += f * li.irradiance * passed;
+      TELL(Lights(start, li, passed, 1.0f / float(sampleCount)));
     }
     Spectrum lit = sum * (1.0f / float(sampleCount));
     L += lit;
@@ -173,6 +184,9 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
     bool fromCamera = branch.depth == 1u;
     Spectrum background = branch.weight * BackgroundLe(ray.d, fromCamera);
     s.L += background;
+    TELL(Leaves(ray, branch.weight));
+    TELL(FindsBackground(0.0f, 0.0f));
+    TELL(Adds(background, background));
     AovBackground(branch.weight, ray.d, fromCamera, branch.scatterings);
     if (params.aovs != 0u && branch.described == 0u)
       AovFeatures(background, vec3(0.0f, 0.0f, 0.0f));
@@ -190,7 +204,9 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   // Absorb on the way through the medium that the ray came through
   MediumStack media = MediaBehind(branch.media, it, ray.d);
   uint inside = CurrentMedium(media);
+  TELL(Follows(ray, hit, it, media));
   branch.weight = branch.weight * MediumTransmittance(inside, it.t);
+  TELL(Flies(FLIGHT_THROUGH, it.t, branch.weight));
 
   // Let pass what the surface leaves open
   RoleTexels shown = TexelsAt(material, it);
@@ -202,14 +218,18 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
     open.media = media;
     open.ray.o = OffsetRayOrigin(it.p, it.pError, n, ray.d);
     open.coneWidth = coneWidth;
+    TELL(PassesOpening(opacity));
     if (opacity == 0.0f) {
       s.branch = open;
       return;
     }
     open.depth = branch.depth + 1u;
     if (branch.depth < params.maxDepth &&
-        MaxChannel(open.weight) >= Max(params.minContribution, LeastWeight))
+        MaxChannel(open.weight) >= Max(params.minContribution, LeastWeight)) {
+      TELL(Branches(BRANCH_OPENING, open.ray, open.weight));
+      TELL(SetsAside(BRANCH_OPENING));
       WhittedWait(s, open);
+    }
     branch.weight = branch.weight * opacity;
   }
   vec3 meshNormal = FaceForward(it.ns, n);
@@ -223,6 +243,8 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
       LET(Light) light = lights[object.light];
       Spectrum shining = branch.weight * light.emission;
       s.L += AovLight(shining, light.group, branch.scatterings);
+      TELL(FindsLight(object.light, 1.0f));
+      TELL(Adds(shining, shining));
       if (params.aovs != 0u && branch.described == 0u)
         AovFeatures(shining, ns * MeanChannel(branch.weight));
     }
@@ -240,6 +262,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
     uint behind = CurrentMedium(mediaBehind);
     if (behind == inside) {
       // A boundary within a body of higher priority is not there
+      TELL(PassesBoundary());
       s.branch.weight = branch.weight;
       s.branch.media = mediaBehind;
       s.branch.ray.o = OffsetRayOrigin(it.p, it.pError, it.n, ray.d);
@@ -269,6 +292,9 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
                         Spectrum(fresnel, fresnel, fresnel) * point.transmission;
   }
 
+  TELL(Meets(it, wo, MediumIor(inside), eta, hasInside));
+  TELL(Divides(shares, fresnel));
+
   // Add the light of the surface itself
   bool deeper = branch.depth < params.maxDepth;
   Spectrum emission = material.emission * ShownColor(shown, ROLE_EMISSION);
@@ -278,8 +304,11 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
       WhittedFeatures(it, material, shown, point, shares, branch.weight, emission, ns, deeper))
     branch.described = 1u;
   s.branch.weight = branch.weight;
-  s.L += branch.weight *
-         (emission + TermsLo(s, it, hit, material, point, shares, wo, n, meshNormal, ns, media));
+  Spectrum Lo = branch.weight * (emission + TermsLo(s, it, hit, material, point, shares, wo, n,
+                                                    meshNormal, ns, media));
+  s.L += Lo;
+  TELL(Shines(branch.weight * emission));
+  TELL(Adds(Lo, Lo));
 
   // Follow the lesser branch, let the greater wait
   Spectrum reflectedWeight = branch.weight * shares.reflection;
@@ -292,6 +321,7 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
   reflected.scatterings = branch.scatterings + 1u;
   reflected.coneWidth = coneWidth;
   WhittedBranch refracted = reflected;
+  TELL(MayBranch(deeper, reflectedWeight, refractedWeight, least));
   if (reflects) {
     reflected.ray.d = ReflectOutside(ray.d, n, ns);
     reflected.ray.o = OffsetRayOrigin(it.p, it.pError, n, reflected.ray.d);
@@ -307,18 +337,30 @@ SCENE_FN void WhittedStep(INOUT(WhittedState) s) {
     refracted.media = mediaBehind;
     s.rays.refracted += 1u;
   }
+  if (refracts) {
+    TELL(Branches(BRANCH_REFRACTED, refracted.ray, refracted.weight));
+  }
+  if (reflects) {
+    TELL(Branches(BRANCH_REFLECTED, reflected.ray, reflected.weight));
+  }
   if (reflects && refracts) {
     if (MeanChannel(reflectedWeight) < MeanChannel(refractedWeight)) {
+      TELL(SetsAside(BRANCH_REFRACTED));
       WhittedWait(s, refracted);
       s.branch = reflected;
+      TELL(Takes(BRANCH_REFLECTED));
     } else {
+      TELL(SetsAside(BRANCH_REFLECTED));
       WhittedWait(s, reflected);
       s.branch = refracted;
+      TELL(Takes(BRANCH_REFRACTED));
     }
   } else if (reflects) {
     s.branch = reflected;
+    TELL(Takes(BRANCH_REFLECTED));
   } else if (refracts) {
     s.branch = refracted;
+    TELL(Takes(BRANCH_REFRACTED));
   } else {
     WhittedNext(s);
   }

@@ -32,6 +32,11 @@ CONST float LeastWeight = 1e-9f;
 // Shader terms of a material whose colours are evaluated once per hit; further ones once per light sample.
 CONST uint CachedTerms = 8u;
 
+// Why a ray branches off.
+CONST uint BRANCH_REFLECTED = 0u;
+CONST uint BRANCH_REFRACTED = 1u;
+CONST uint BRANCH_OPENING = 2u;  // straight on where the surface is open
+
 struct WhittedState {
   WhittedBranch branch;
   uint alive;    // 1: `branch` is to be traced

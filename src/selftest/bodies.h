@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "cpu/bind_kernel.h"
+#include "cpu/kernel.h"
 #include "selftest/scenes.h"
 
 namespace snell::selftest {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "agree/bvh_reference.h"
 
-#include "cpu/bind_kernel.h"
+#include "cpu/kernel.h"
 
 namespace snell::agree {
 

@@ -17,7 +17,8 @@ const Mistake Mistakes[] = {
     // Words that nobody knows
     {{"rendr", "a.nff"}, "unknown command 'rendr'; did you mean 'render'?"},
     {{"frobnicate"},
-     "unknown command 'frobnicate'; the commands are: render, merge, compare, info, check, "
+     "unknown command 'frobnicate'; the commands are: render, merge, compare, info, explain, "
+     "check, "
      "reference, "
      "selftest, devices, help, "
      "manual, completion"},

@@ -29,9 +29,10 @@ const std::map<std::string, std::set<std::string>> MayInclude = {
     {"cpu", {"render", "tessellate", "scene", "bvh", "image", "kernel", "util"}},
     {"gpu", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
     {"selftest", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
+    {"explain", {"cpu", "render", "scene", "bvh", "image", "kernel", "util"}},
     {"api",
-     {"selftest", "io", "cpu", "gpu", "render", "tessellate", "scene", "image", "bvh", "kernel",
-      "util"}},
+     {"explain", "selftest", "io", "cpu", "gpu", "render", "tessellate", "scene", "image", "bvh",
+      "kernel", "util"}},
     {"apps", {"api", "util"}},
     {"python", {"api", "util"}},
 };

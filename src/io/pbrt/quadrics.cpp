@@ -29,11 +29,14 @@ PbrtQuadric ReadQuadric(Kind kind, const PbrtParameters& parameters) {
   const float radius = parameters.Number("radius", 1);
   q.radius = double(radius);
   q.phiMax = std::clamp(double(parameters.Number("phimax", 360)), 0.0, 360.0);
-  bool isSound = q.radius > 0 && q.phiMax > 0;
+  const auto require = [&](bool hasExtent) {
+    if (!hasExtent) throw Error("the shape has no extent", parameters.place());
+  };
+  require(q.radius > 0 && q.phiMax > 0);
   if (kind == Kind::Disk) {
     q.zMin = q.zMax = double(parameters.Number("height", 0));
     q.innerRadius = double(parameters.Number("innerradius", 0));
-    isSound = isSound && q.innerRadius >= 0 && q.innerRadius < q.radius;
+    require(q.innerRadius >= 0 && q.innerRadius < q.radius);
   } else {
     const float end = kind == Kind::Sphere ? radius : 1;
     q.zMin = double(parameters.Number("zmin", -end));
@@ -43,9 +46,8 @@ PbrtQuadric ReadQuadric(Kind kind, const PbrtParameters& parameters) {
       q.zMin = std::clamp(q.zMin, -q.radius, q.radius);
       q.zMax = std::clamp(q.zMax, -q.radius, q.radius);
     }
-    isSound = isSound && q.zMin < q.zMax;
+    require(q.zMin < q.zMax);
   }
-  if (!isSound) throw Error("the shape has no extent", parameters.place());
   return q;
 }
 

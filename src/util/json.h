@@ -5,11 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace snell::cli {
+namespace snell {
 
 class JsonWriter {
  public:
@@ -24,6 +25,8 @@ class JsonWriter {
   void Add(std::string_view name, int value);
   void Add(std::string_view name, bool value);
   void Add(std::string_view name, const std::vector<std::string>& values);
+  // An array on one line.
+  void Add(std::string_view name, std::initializer_list<float> values);
 
   void BeginObject(std::string_view name) { Begin(name, '{'); }
   void BeginArray(std::string_view name) { Begin(name, '['); }
@@ -42,4 +45,4 @@ class JsonWriter {
   bool first_ = true;
 };
 
-}  // namespace snell::cli
+}  // namespace snell

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <string_view>
 
-namespace snell::cli {
+namespace snell {
 
 // Bytes of the character at the start of `text`, which is not empty; 0 if it is not UTF-8.
 std::size_t Utf8Length(std::string_view text);
 
-}  // namespace snell::cli
+}  // namespace snell

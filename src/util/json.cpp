@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/json.h"
+#include "util/json.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "cli/utf8.h"
+#include "util/utf8.h"
 
-namespace snell::cli {
+namespace snell {
 
 namespace {
 
@@ -88,9 +88,19 @@ void JsonWriter::Add(std::string_view name, const std::vector<std::string>& valu
   End();
 }
 
+void JsonWriter::Add(std::string_view name, std::initializer_list<float> values) {
+  Name(name);
+  std::string list;
+  for (const float value : values) {
+    if (!list.empty()) list += ", ";
+    list += std::isfinite(value) ? fmt::format("{}", value) : "null";
+  }
+  text_ += '[' + list + ']';
+}
+
 std::string JsonWriter::Finish() {
   while (!open_.empty()) End();
   return text_ + '\n';
 }
 
-}  // namespace snell::cli
+}  // namespace snell
