@@ -14,7 +14,9 @@ using scene::Object;
 // --- Checks -------------------------------------------------------------------------------------------------
 
 static void FinishInlineMesh(Reader& reader, const Fields& fields, ObjectDraft& draft) {
-  scene::Mesh mesh = BuildMesh(draft.mesh);
+  std::vector<scene::MeshKey> keys;
+  AddInlineKeys(reader, fields, draft, keys);
+  scene::Mesh mesh = BuildMesh(draft.mesh, std::move(keys));
   if (!HasArea(mesh)) reader.Report("no face of the mesh has an area", fields.PlaceOf("mesh"));
   draft.meshes = reader.meshes.Add(std::move(mesh));
 }
@@ -92,7 +94,7 @@ static VariantOf<ObjectDraft> MeshVariant() {
   return VariantOf<ObjectDraft>("mesh",
                                 "Triangles written in the scene: an inline table, or one of its "
                                 "own under `[object.mesh]`.",
-                                {mesh, SubdivisionKey()})
+                                {mesh, DeformationKey(), SubdivisionKey()})
       .ByPresence()
       .Checked(FinishInlineMesh);
 }

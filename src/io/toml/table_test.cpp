@@ -36,6 +36,10 @@ const std::map<std::string, std::string> Frames = {
     {"displacement", "[material.m]\ndisplacement = { $ }"},
     {"term", "[material.m]\nterms = [{ $ }]"},
     {"texture", "[texture.t]\n$"},
+    {"shape_key",
+     "[[object]]\nmesh = { positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] "
+     "}\n"
+     "deformation = [{ $ }, { time = 2 }]"},
     {"motion_key", "[[object]]\nshape = \"box\"\nmotion = [{ $ }, { time = 2 }]"},
     {"camera_key", "[camera]\nmotion = [{ $ }, { time = 2 }]"},
     {"medium", "[environment]\nmedium = { $ }"},
