@@ -27,8 +27,10 @@ class GltfSceneReader {
     const double start = options.time.value_or(0);
     moments_.push_back(nodes_.Here(start));
     if (options.duration <= 0 || document.model.animations.empty()) return;
-    for (int i = 1; i <= MotionKeys; ++i)
-      moments_.push_back(nodes_.At(data_, start + options.duration * i / MotionKeys));
+    for (int i = 1; i <= MotionKeys; ++i) {
+      const double time = start + options.duration * i / MotionKeys;
+      if (time > moments_.back().time) moments_.push_back(nodes_.At(data_, time));
+    }
   }
 
   scene::Scene Read() {

@@ -19,7 +19,7 @@ const SectionOf<ShapeKeyDraft>& ShapeKeySection() {
           "The shape of a mesh at a moment. In between, its vertices move evenly on straight "
           "lines; before the first key and after the last they rest.",
           {Field("time", &ShapeKeyDraft::time, seconds, "The moment.").Required(),
-           Field("file", &ShapeKeyDraft::file, SceneFile("flag-2.obj"),
+           Field("file", &ShapeKeyDraft::file, SceneFile("bunny-2.ply"),
                  "A mesh file with the same faces over the same number of vertices.")
                .Standard("the object's own"),
            Field("positions", &ShapeKeyDraft::positions, ListOf(Point(), "points", 3),
@@ -30,13 +30,13 @@ const SectionOf<ShapeKeyDraft>& ShapeKeySection() {
   return section;
 }
 
-KeyOf<ObjectDraft> DeformationKey() {
+KeyOf<ObjectDraft> DeformationKey(const std::string& later) {
   return Field("deformation", &ObjectDraft::deformation,
                ListOf(TableOf(ShapeKeySection, "{ time and file or positions }"), "keys", 2),
                "Shapes of the mesh at moments of the scene's time; shown blurred while the "
                "camera's `shutter` is open.")
       .Standard("it keeps its shape")
-      .Example("[{ time = 0 }, { time = 0.5, file = \"flag-2.obj\" }]")
+      .Example(fmt::format("[{{ time = 0 }}, {{ time = 0.5, {} }}]", later))
       .Not({"shapes", "morph", "keyframes"});
 }
 

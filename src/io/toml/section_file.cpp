@@ -155,7 +155,7 @@ VariantOf<ObjectDraft> FileVariant() {
              "glTF: for so long from `time` on, animated nodes move, and skins and morphs bend "
              "meshes; for a camera whose `shutter` is open then.")
           .Standard("0: nothing moves"),
-      DeformationKey(),
+      DeformationKey("file = \"bunny-2.ply\""),
       SubdivisionKey()};
   return VariantOf<ObjectDraft>(
              "file",

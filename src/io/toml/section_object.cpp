@@ -91,10 +91,12 @@ static VariantOf<ObjectDraft> MeshVariant() {
       Field("mesh", &ObjectDraft::mesh, InlineMesh(), "The mesh.")
           .Required()
           .Example("{ positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }");
-  return VariantOf<ObjectDraft>("mesh",
-                                "Triangles written in the scene: an inline table, or one of its "
-                                "own under `[object.mesh]`.",
-                                {mesh, DeformationKey(), SubdivisionKey()})
+  return VariantOf<ObjectDraft>(
+             "mesh",
+             "Triangles written in the scene: an inline table, or one of its "
+             "own under `[object.mesh]`.",
+             {mesh, DeformationKey("positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0.5]]"),
+              SubdivisionKey()})
       .ByPresence()
       .Checked(FinishInlineMesh);
 }

@@ -106,7 +106,8 @@ struct ShapeKeyDraft {
 };
 
 const SectionOf<ShapeKeyDraft>& ShapeKeySection();
-KeyOf<ObjectDraft> DeformationKey();
+// `later` is an example of a key's shape.
+KeyOf<ObjectDraft> DeformationKey(const std::string& later);
 
 // The shapes of an object that is a file or a mesh. They report mistakes and then give none.
 std::vector<MeshShape> ShapesOfFile(Reader& reader, const Fields& fields, const ObjectDraft& draft);
