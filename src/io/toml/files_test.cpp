@@ -245,7 +245,7 @@ TEST(TomlDeformation, MistakesHavePlaces) {
       "}\n";
   const std::pair<std::string, std::string> cases[] = {
       {object + "deformation = [{ time = 0 }, { time = 0, file = \"b.obj\" }]\n",
-       "scene.toml:3:1: the times of 'deformation' do not rise in [[object]]"},
+       "scene.toml:3:15: the times of 'deformation' do not rise in [[object]] (file)"},
       {object + "deformation = [{ time = 0 }, { time = 1, file = \"b.obj\" }]\n",
        "scene.toml:2:8: cannot use the mesh b.obj: its shape is no other one of 'a.obj': it has 4 "
        "vertices and 1 face, that one 3 and 1; files of one mesh have the same faces in the same "
@@ -253,13 +253,13 @@ TEST(TomlDeformation, MistakesHavePlaces) {
       {object +
            "deformation = [{ time = 0 }, { time = 1, positions = [[0, 0, 0], [1, 0, 0], [0, 1, "
            "0]] }]\n",
-       "scene.toml:3:1: 'deformation': 'positions' are for meshes that are written in the scene"},
+       "scene.toml:3:15: 'deformation': 'positions' are for meshes that are written in the scene"},
       {inlined + "deformation = [{ time = 0 }, { time = 1, file = \"a.obj\" }]\n",
-       "scene.toml:3:1: 'deformation': a 'file' is for objects that are files"},
+       "scene.toml:3:15: 'deformation': a 'file' is for objects that are files"},
       {inlined +
            "deformation = [{ time = 0 }, { time = 1, positions = [[0, 0, 0], [1, 0, 0], [0, 1, "
            "0], [1, 1, 1]] }]\n",
-       "scene.toml:3:1: 'deformation': expected one for each of the 3 positions, found 4"}};
+       "scene.toml:3:15: 'deformation': expected one for each of the 3 positions, found 4"}};
   for (const auto& [text, error] : cases) {
     TestScene scene(text);
     scene.Write("a.obj", Triangle);
