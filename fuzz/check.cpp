@@ -27,6 +27,11 @@ void CheckMesh(const scene::Mesh& mesh) {
   CHECK(AllFinite(mesh.uvs1));
   CHECK(AllFinite(mesh.tangents));
   CHECK(AllFinite(mesh.colors));
+  for (const scene::MeshKey& key : mesh.keys) {
+    CHECK(key.positions.size() == mesh.positions.size() && AllFinite(key.positions));
+    CHECK(key.normals.size() == mesh.normals.size() && AllFinite(key.normals));
+    CHECK(key.tangents.size() == mesh.tangents.size() && AllFinite(key.tangents));
+  }
 }
 
 }  // namespace

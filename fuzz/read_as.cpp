@@ -36,6 +36,7 @@ void ReadScene(const std::string& target, std::string_view bytes) {
   // A material library shows in a mesh that names it
   io::ReadOptions options;
   options.time = 0.5;
+  options.duration = 0.5;
   const std::string name = target == "mtl" ? "with_mtl.obj" : "a." + target;
   CheckScene(io::ReadScene(folder.Path(name), options, Ignore));
 }

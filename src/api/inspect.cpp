@@ -121,6 +121,7 @@ SceneInfo::Item Describe(const scene::Mesh& mesh) {
                                    WithCommas(mesh.positions.size()) + " vertices");
   if (!mesh.normals.empty()) detail += ", normals";
   if (!mesh.uvs.empty()) detail += ", uv";
+  if (!mesh.keys.empty()) detail += fmt::format(", {} moments", 1 + mesh.keys.size());
   return {mesh.name, "mesh", detail};
 }
 

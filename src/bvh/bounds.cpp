@@ -13,16 +13,24 @@ using kernel::Transform;
 
 Bounds TriangleBounds(const Geometry& geometry, std::uint32_t index) {
   const kernel::Triangle& triangle = geometry.triangles[index];
+  const bool deforms = geometry.IsDeforming(index);
+  const std::uint32_t steps = deforms ? geometry.meshes[triangle.mesh].steps : 0;
+  const std::uint32_t stride = deforms ? geometry.meshes[triangle.mesh].stride : 0;
   Bounds bounds;
-  for (const std::uint32_t v : {triangle.v0, triangle.v1, triangle.v2}) {
-    const vec3 p = geometry.positions[v];
-    // A NaN would be passed over by min and max
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return {vec3(-std::numeric_limits<float>::infinity()),
-              vec3(std::numeric_limits<float>::infinity())};
-    bounds.Extend(p);
+  for (std::uint32_t key = 0; key <= steps; ++key) {
+    for (const std::uint32_t v : {triangle.v0, triangle.v1, triangle.v2}) {
+      const vec3 p = geometry.positions[v + key * stride];
+      // A NaN would be passed over by min and max
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        return {vec3(-std::numeric_limits<float>::infinity()),
+                vec3(std::numeric_limits<float>::infinity())};
+      bounds.Extend(p);
+    }
   }
-  return bounds;
+  if (!deforms) return bounds;
+  // By what positions between keys are rounded
+  const vec3 margin = (Abs(bounds.lower) + Abs(bounds.upper)) * kernel::Gamma(4.0f);
+  return {bounds.lower - margin, bounds.upper + margin};
 }
 
 // Widen by what transforming a point may lose.

@@ -80,7 +80,7 @@ inline Bounds BoundsOf(const Box& box) {
   return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
 }
 
-// Not finite if a vertex is not.
+// Holds it at all moments if its mesh changes its shape. Not finite if a vertex is not.
 Bounds TriangleBounds(const Geometry& geometry, std::uint32_t triangle);
 
 // The box of an analytic shape, wide enough for rounding. Not finite for infinite planes. Of one that moves: in its

@@ -20,13 +20,13 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 constexpr int MaxBins = 32;
 // Cost of visiting one level of the binary tree for a ray, relative to testing a block of triangles.
 constexpr float TraversalCost = 0.4f;
-// Cost of testing one primitive of a kind, in pairs of triangles: a shape is tested alone, an instance is a
-// whole tree. At these weights they get leaves of their own, so that the node's boxes sort them out, eight at
-// once. The largest sum, of 2^25 instances, fits.
+// Cost of testing one primitive of a kind, in pairs of triangles: a shape, or a triangle that changes its shape, is
+// tested alone, an instance is a whole tree. At these weights they get leaves of their own, so that the node's boxes
+// sort them out, eight at once. The largest sum, of 2^25 instances, fits.
 constexpr std::uint32_t WeightOf(LeafKind kind) {
-  return kind == LeafKind::Triangles ? 1
-         : kind == LeafKind::Shapes  ? 4 * BlockWidth
-                                     : 16 * BlockWidth;
+  return kind == LeafKind::Triangles   ? 1
+         : kind == LeafKind::Instances ? 16 * BlockWidth
+                                       : 4 * BlockWidth;
 }
 // Beyond this depth the tree is split at medians, so that no input can make it deep.
 constexpr int MaxSahDepth = 48;

@@ -154,9 +154,9 @@ class Collapser {
 
   static Usage UsageOfLeaf(LeafKind kind, std::uint32_t count) {
     Usage usage;
-    (kind == LeafKind::Triangles ? usage.blocks
-     : kind == LeafKind::Shapes  ? usage.shapes
-                                 : usage.placed) = kind == LeafKind::Triangles ? 1 : count;
+    (kind == LeafKind::Triangles   ? usage.blocks
+     : kind == LeafKind::Instances ? usage.placed
+                                   : usage.shapes) = kind == LeafKind::Triangles ? 1 : count;
     return usage;
   }
 
@@ -192,14 +192,14 @@ class Collapser {
         ref = LeafRef(kind, next.blocks, 1);
         return PackBlock(next.blocks++, firstReference, node.Count());
       }
-      const bool isShape = kind == LeafKind::Shapes;
-      ref = LeafRef(kind, isShape ? next.shapes : next.placed, node.Count());
+      const bool isPlaced = kind == LeafKind::Instances;
+      ref = LeafRef(kind, isPlaced ? next.placed : next.shapes, node.Count());
       for (std::uint32_t i = 0; i < node.Count(); ++i) {
         const std::uint32_t id = references_[firstReference + i].First();
-        if (isShape) {
-          arrays_.shapes[next.shapes++] = id;
-        } else {
+        if (isPlaced) {
           PackInstance(arrays_.placed[next.placed++], id, geometry_);
+        } else {
+          arrays_.shapes[next.shapes++] = id;
         }
       }
       return node.box.HalfArea();

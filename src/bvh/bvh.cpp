@@ -34,9 +34,13 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
     const auto [known, isNew] = treeOfMesh.try_emplace(
         {instance.firstTriangle, instance.triangleCount}, std::uint32_t(trees_.size()));
     if (isNew) {
+      const std::uint32_t first = instance.firstTriangle, count = instance.triangleCount;
+      const bool deforms = count > 0 && geometry.IsDeforming(first);
       HugeVector<PrimitiveRef> references =
-          PairTriangles(geometry, instance.firstTriangle, instance.triangleCount, dropped_);
+          deforms ? DeformingTriangles(geometry, first, count, dropped_)
+                  : PairTriangles(geometry, first, count, dropped_);
       trees_.push_back(BuildTree(references, treeBoxes.emplace_back()));
+      trees_.back().deforms = deforms ? 1 : 0;
     }
     instance.root = known->second;
   }
@@ -83,6 +87,7 @@ Bvh::Bvh(const Geometry& geometry, BuildQuality quality)
            std::uint32_t(unbounded_.size()),
            0,
            view_.treeMask,
+           geometry.positions.data(),
            geometry.triangles.data(),
            geometry.meshes.empty() ? nullptr : geometry.meshes.data(),
            geometry.shapes.data(),

@@ -17,12 +17,17 @@ struct Geometry {
   std::span<const kernel::Triangle> triangles;
   std::span<const kernel::Mesh> meshes;
   std::span<const kernel::Shape> shapes;
-  std::span<kernel::Instance> instances;  // place ranges of triangles; the build sets their `root`s
+  // Place ranges of triangles, each of one mesh if meshes change their shape; the build sets their `root`s
+  std::span<kernel::Instance> instances;
   std::span<const kernel::Object> objects;
   std::uint32_t worldTriangles = 0;  // the first so many triangles are in world space
   std::span<const kernel::MotionKey> motions =
       {};  // of objects that move, which have shapes or instances
 
+  // Whether a triangle's mesh changes its shape. Only instances place such meshes.
+  bool IsDeforming(std::uint32_t triangle) const {
+    return !meshes.empty() && meshes[triangles[triangle].mesh].steps != 0;
+  }
   bool IsMoving(std::uint32_t object) const {
     return !motions.empty() && objects[object].motion != kernel::None;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The memory layout of the BVH: wide nodes of eight children and leaves of triangle blocks, lists of
-// analytic shapes or lists of instances. Plain data without pointers, so that it can be copied to a device.
+// analytic shapes, of instances or of triangles that change their shape. Plain data without pointers, so that it can be copied to a device.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ using kernel::None;
 // one block.
 using ChildRef = std::uint32_t;
 
-enum class LeafKind : std::uint32_t { Triangles = 0, Shapes = 1, Instances = 2 };
+enum class LeafKind : std::uint32_t { Triangles = 0, Shapes = 1, Instances = 2, Deforming = 3 };
 
 inline constexpr ChildRef LeafBit = 0x80000000u;
 inline constexpr std::uint32_t MaxLeafElements = 16;
@@ -81,7 +81,7 @@ struct Tree {
   // The masks of the objects of the world's triangles: what all have in common, and what any has
   std::uint32_t commonMask = 0;
   std::uint32_t anyMask = 0;
-  std::uint32_t unused = 0;
+  std::uint32_t deforms = 0;  // 1: of a mesh that changes its shape
 };
 
 }  // namespace snell::bvh

@@ -108,4 +108,21 @@ HugeVector<PrimitiveRef> PairTriangles(const Geometry& geometry, std::uint32_t f
   return references;
 }
 
+HugeVector<PrimitiveRef> DeformingTriangles(const Geometry& geometry, std::uint32_t first,
+                                            std::uint32_t count, std::uint64_t& dropped) {
+  std::vector<Bounds> bounds(count);
+  tbb::parallel_for(0u, count,
+                    [&](std::uint32_t i) { bounds[i] = TriangleBounds(geometry, first + i); });
+  HugeVector<PrimitiveRef> references;
+  references.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (bounds[i].Finite()) {
+      references.emplace_back(bvh::BoxOf(bounds[i]), LeafKind::Deforming, first + i);
+    } else {
+      ++dropped;
+    }
+  }
+  return references;
+}
+
 }  // namespace snell::bvh

@@ -38,6 +38,10 @@ struct PrimitiveRef {
 HugeVector<PrimitiveRef> PairTriangles(const Geometry& geometry, std::uint32_t first,
                                        std::uint32_t count, std::uint64_t& dropped);
 
+// The same triangles one by one, in boxes for all moments, of a mesh that changes its shape.
+HugeVector<PrimitiveRef> DeformingTriangles(const Geometry& geometry, std::uint32_t first,
+                                            std::uint32_t count, std::uint64_t& dropped);
+
 // How two triangles share an edge: it runs from vertex `a` of the one to the next, and from vertex `b` of
 // the other to the next in the opposite sense. `a` is 3 if they share none so.
 struct SharedEdge {

@@ -45,6 +45,8 @@ class Refitter {
       Bounds bounds;
       if (KindOf(leaf) == LeafKind::Shapes) {
         bounds = PlacedBounds(geometry_, geometry_.shapes[arrays_.shapes[i]]);
+      } else if (KindOf(leaf) == LeafKind::Deforming) {
+        bounds = TriangleBounds(geometry_, arrays_.shapes[i]);
       } else {
         PlacedTree& placed = arrays_.placed[i];
         PackInstance(placed, placed.instance, geometry_);

@@ -57,6 +57,7 @@ TEST_P(Refit, FindsWhatHasMoved) {
   std::uint64_t rays = 0, hits = 0, wrong = 0;
   for (std::uint64_t round = 0; round < test::Scaled(8); ++round) {
     Soup soup;
+    if (round % 4 == 3) soup.DeformMeshes(random);
     GetParam().fill(soup, random, round % 4 == 0 ? 9 : 200);
     if (soup.PrimitiveCount() == 0) continue;
     Bvh bvh(soup.Geometry());
@@ -66,7 +67,8 @@ TEST_P(Refit, FindsWhatHasMoved) {
       bvh.Refit();
       test::search::BruteForce brute = soup.BruteForce();
       for (int i = 0; i < 300; ++i) {
-        const Ray ray = test::RandomRay(random, soup);
+        Ray ray = test::RandomRay(random, soup);
+        if (round % 4 == 3) ray.time = random.UniformFloat();
         const unsigned mask = random.Chance(0.5) ? kernel::MASK_ALL : 1u << random.Index(5);
         const float tMax = random.Chance(0.7) ? Infinite : float(random.LogUniform(1e-3, 1e3));
         const Hit expected = brute.ClosestHit(ray, tMax, mask);

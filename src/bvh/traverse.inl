@@ -137,11 +137,40 @@ SIMD_FN bool IntersectShapes(const View& view, const std::uint32_t* items, std::
   return false;
 }
 
+// Triangles of a mesh that changes its shape, as they are when the ray looks.
+template <bool AnyHit>
+SIMD_CALL bool IntersectDeforming(const View& view, ChildRef leaf, const Ray& ray,
+                                  std::uint32_t instance, Best& best) {
+  const std::uint32_t* items = view.leafShapes + FirstOf(leaf);
+  const kernel::Mesh& mesh = view.meshes[view.triangles[items[0]].mesh];
+  const kernel::MotionMoment moment = kernel::MomentOf(best.world.time, mesh.steps);
+  const vec3* positions = view.positions + std::size_t(moment.step) * mesh.stride;
+  const kernel::ShearedRay sheared = kernel::Shear(ray.o, ray.d);
+  bool found = false;
+  for (std::uint32_t i = 0; i < CountOf(leaf); ++i) {
+    const kernel::Triangle& triangle = view.triangles[items[i]];
+    const std::uint32_t vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
+    vec3 p[3];
+    for (int k = 0; k < 3; ++k)
+      p[k] = kernel::Lerp(moment.share, positions[vertices[k]],
+                          positions[std::size_t(vertices[k]) + mesh.stride]);
+    const float t = kernel::IntersectTriangle(sheared, p[0], p[1], p[2]).t;
+    if (!best.Accepts(t, instance, items[i])) continue;
+    if (view.filter.accepts != nullptr &&
+        !view.filter.accepts(view.filter.data, best.world, {t, items[i], instance}))
+      continue;
+    best.Take(t, instance, items[i]);
+    if (AnyHit) return true;
+    found = true;
+  }
+  return found;
+}
+
 template <bool AnyHit>
 SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ray,
                                   std::uint32_t mask, Best& best);
 
-// Walk one tree. `Plain`: it holds triangles alone, and every hit counts. `o` and `d` are the ray's.
+// Walk one tree. `Plain`: it holds triangles that keep their shape alone, and every hit counts. `o` and `d` are the ray's.
 template <bool AnyHit, bool Plain>
 SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4 o, Float4 d,
                       std::uint32_t instance, std::uint32_t mask, Best& best) {
@@ -178,6 +207,8 @@ SIMD_FN bool Traverse(const View& view, const Tree& tree, const Ray& ray, Float4
         const bool hit = KindOf(current) == LeafKind::Shapes
                              ? IntersectShapes<AnyHit>(view, view.leafShapes + FirstOf(current),
                                                        CountOf(current), ray, mask, best)
+                         : KindOf(current) == LeafKind::Deforming
+                             ? IntersectDeforming<AnyHit>(view, current, ray, instance, best)
                              : IntersectInstances<AnyHit>(view, current, ray, mask, best);
         if (AnyHit && hit) return true;
         limits = Limits(best.t);
@@ -222,7 +253,7 @@ SIMD_CALL bool IntersectInstances(const View& view, ChildRef leaf, const Ray& ra
     const Float4 d = (x * Set4(ray.d.x) + y * Set4(ray.d.y)) + z * Set4(ray.d.z);
     const Ray local = RayOf(o, d);
     const Tree& tree = view.trees[placed.tree];
-    if (view.filter.accepts == nullptr
+    if (view.filter.accepts == nullptr && tree.deforms == 0
             ? Traverse<AnyHit, true>(view, tree, local, o, d, placed.instance, mask, best)
             : TraverseChoosily<AnyHit>(view, tree, local, placed.instance, mask, best))
       return true;

@@ -33,7 +33,7 @@ struct HitFilter {
 struct View {
   const WideNode* nodes = nullptr;
   const PairBlock* blocks = nullptr;
-  const std::uint32_t* leafShapes = nullptr;  // of leaves
+  const std::uint32_t* leafShapes = nullptr;  // of leaves; also triangles that change their shape
   const PlacedTree* placed = nullptr;         // instances of leaves
   const Tree* trees = nullptr;                // the first is the world's
   const std::uint32_t* unbounded = nullptr;   // shapes without bounds, which every ray tests
@@ -44,6 +44,7 @@ struct View {
   std::uint32_t treeMask = 0;  // of all objects that the world's tree holds, together
 
   // The caller's geometry
+  const kernel::vec3* positions = nullptr;
   const kernel::Triangle* triangles = nullptr;
   const kernel::Mesh* meshes = nullptr;
   const kernel::Shape* shapes = nullptr;

@@ -41,7 +41,8 @@ void AddTriangles(uint object, uint instance, uint first, uint count, FlatScene&
   flat.objects[object].emitters = uint(begin) - first;
   flat.emitters.resize(begin + count);
   const Transform* toWorld = instance == None ? nullptr : &flat.instances[instance].toWorld;
-  const bool moves = flat.objects[object].motion != None;
+  const bool moves = flat.objects[object].motion != None ||
+                     (count > 0 && flat.meshes[flat.triangles[first].mesh].steps > 0);
   tbb::parallel_for(tbb::blocked_range<uint>(0, count, 4096), [&](const auto& part) {
     for (uint i = part.begin(); i < part.end(); ++i)
       flat.emitters[begin + i] = {first + i, instance, None,
@@ -52,7 +53,7 @@ void AddTriangles(uint object, uint instance, uint first, uint count, FlatScene&
 }  // namespace
 
 void FlattenEmitters(FlatScene& flat) {
-  // What moves is not sampled: it has no area
+  // What moves or changes its shape is not sampled: it has no area
   // Those of one mesh follow each other
   for (uint first = 0, last = 0; first < flat.worldTriangles; first = last) {
     const uint mesh = flat.triangles[first].mesh;

@@ -139,9 +139,10 @@ uint MaskOf(const scene::Object& object, const scene::Material& material, Shadow
 }  // namespace
 
 uint AppendMesh(const scene::Mesh& mesh, const Affine* toWorld, uint object, FlatScene& flat) {
+  CHECK(!toWorld || mesh.keys.empty());
   const uint firstVertex = uint(flat.positions.size());
   const uint firstTriangle = uint(flat.triangles.size());
-  if (flat.positions.size() + mesh.positions.size() >= INSTANCE_SHAPE ||
+  if (flat.positions.size() + mesh.positions.size() * (1 + mesh.keys.size()) >= INSTANCE_SHAPE ||
       flat.triangles.size() + mesh.triangles.size() >= INSTANCE_SHAPE)
     throw Error("the scene has more vertices or triangles than Snell can number (about 4 billion)");
 
@@ -153,6 +154,9 @@ uint AppendMesh(const scene::Mesh& mesh, const Affine* toWorld, uint object, Fla
   record.uvs1 = mesh.uvs1.empty() ? None : uint(flat.uvs.size() + mesh.uvs.size()) - firstVertex;
   record.tangents = mesh.tangents.empty() ? None : uint(flat.tangents.size()) - firstVertex;
   record.colors = mesh.colors.empty() ? None : uint(flat.colors.size()) - firstVertex;
+  record.steps = uint(mesh.keys.size());
+  record.stride = uint(mesh.positions.size());
+  if (record.steps > 0) flat.params.moving = 1;
   const uint meshIndex = uint(flat.meshes.size());
   flat.meshes.push_back(record);
 
@@ -162,6 +166,11 @@ uint AppendMesh(const scene::Mesh& mesh, const Affine* toWorld, uint object, Fla
   flat.uvs.insert(flat.uvs.end(), mesh.uvs1.begin(), mesh.uvs1.end());
   flat.tangents.insert(flat.tangents.end(), mesh.tangents.begin(), mesh.tangents.end());
   flat.colors.insert(flat.colors.end(), mesh.colors.begin(), mesh.colors.end());
+  for (const scene::MeshKey& key : mesh.keys) {
+    flat.positions.insert(flat.positions.end(), key.positions.begin(), key.positions.end());
+    flat.normals.insert(flat.normals.end(), key.normals.begin(), key.normals.end());
+    flat.tangents.insert(flat.tangents.end(), key.tangents.begin(), key.tangents.end());
+  }
   const bool moved = toWorld && *toWorld != Affine(1.0);
   const bool mirrored = moved && glm::determinant(glm::dmat3(*toWorld)) < 0;
   if (moved) {
@@ -221,8 +230,10 @@ void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& fi
                             0, ToTransform(scene::ToWorldAt(object, shutter.open)), 0});
     Object& record = flat.objects.back();
     FlattenMotion(object.motion, shutter, KeyOfPlace, flat, record.motion, record.motionSteps);
-    // What moves is an instance even if it is alone
-    if (finer.meshOf[i] >= 0) uses[std::size_t(finer.meshOf[i])] += record.motion == None ? 1 : 2;
+    // What moves or changes its shape is an instance even if it is alone
+    if (finer.meshOf[i] < 0) continue;
+    const bool stays = record.motion == None && finer.MeshOf(scene, i).keys.empty();
+    uses[std::size_t(finer.meshOf[i])] += stays ? 1 : 2;
   }
 
   // Shapes, and meshes used once, which go to world space: these triangles come first

@@ -18,7 +18,8 @@ enum class ShadowRays { Opaque, Tinted, Path };
 void FlattenObjects(const scene::Scene& scene, const tessellate::FinerMeshes& finer,
                     ShadowRays shadowRays, const Shutter& shutter, FlatScene& flat);
 
-// Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null.
+// Append a mesh's vertices and triangles as seen through `toWorld`, or in its own space if that is null. The keys of one
+// that changes its shape are at even steps (scene/deformation.h); it stays in its own space.
 // Returns the index of its first triangle.
 kernel::uint AppendMesh(const scene::Mesh& mesh, const scene::Affine* toWorld, kernel::uint object,
                         FlatScene& flat);

@@ -14,6 +14,7 @@ struct TextureKernel {
   const Object* objects;
   const Shape* shapes;
   const Instance* instances;
+  const vec3* positions;
   const MotionKey* motions;
   const Texture* textures;
   const Image* images;
@@ -33,6 +34,7 @@ tessellate::TextureLookup LookupIn(const FlatScene& flat) {
     TextureKernel kernel = {&here,
                             flat.shapes.data(),
                             flat.instances.data(),
+                            flat.positions.data(),
                             flat.motions.data(),
                             flat.textures.data(),
                             flat.images.data(),

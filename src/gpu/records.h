@@ -19,6 +19,8 @@ CONST uint TRACE_FIRST_MASK = 0x03ffffffu;
 CONST uint TRACE_TRIANGLES = 0u;
 CONST uint TRACE_SHAPES = 1u;
 CONST uint TRACE_INSTANCES = 2u;
+CONST uint TRACE_DEFORMING =
+    3u;  // triangles of a mesh that changes its shape: indices among traceShapes
 
 // Groups of children that wait while a ray goes down: one for each level of the world's tree and one mesh's.
 CONST uint TraceStackSize = 64u;

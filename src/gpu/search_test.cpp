@@ -31,6 +31,9 @@ struct GpuSearch {
   const Object* objects;
   const Shape* shapes;
   const Instance* instances;
+  const Mesh* meshes;
+  const Triangle* triangles;
+  const vec3* positions;
   const MotionKey* motions;
 
 #include "gpu/shaders/bvh.glsl"
@@ -43,6 +46,7 @@ TEST_P(Search, AgreesWithBruteForce) {
   std::uint64_t rays = 0, hits = 0, wrong = 0;
   for (std::uint64_t round = 0; round < test::Scaled(12); ++round) {
     test::Soup soup;
+    if (round % 3 != 1) soup.DeformMeshes(random);
     GetParam().fill(soup, random, round % 4 == 0 ? 9 : 200);
     if (soup.PrimitiveCount() == 0) continue;
     if (round % 3 == 0) soup.Move(random);
@@ -57,6 +61,9 @@ TEST_P(Search, AgreesWithBruteForce) {
                      geometry.objects.data(),
                      geometry.shapes.data(),
                      geometry.instances.data(),
+                     geometry.meshes.data(),
+                     geometry.triangles.data(),
+                     geometry.positions.data(),
                      geometry.motions.data()};
     test::search::BruteForce brute = soup.BruteForce();
     for (int i = 0; i < 1500; ++i) {

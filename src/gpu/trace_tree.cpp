@@ -105,10 +105,13 @@ class Converter {
     const std::uint32_t first = bvh::FirstOf(ref), count = bvh::CountOf(ref);
     switch (bvh::KindOf(ref)) {
       case bvh::LeafKind::Triangles: return Triangles(bvh_.arrays().blocks[first]);
-      case bvh::LeafKind::Shapes: {
+      case bvh::LeafKind::Shapes:
+      case bvh::LeafKind::Deforming: {
         const std::uint32_t* shapes = bvh_.view().leafShapes + first;
         arrays_.shapes.insert(arrays_.shapes.end(), shapes, shapes + count);
-        return LeafOf(TRACE_SHAPES, arrays_.shapes.size() - count, count);
+        const bool isShape = bvh::KindOf(ref) == bvh::LeafKind::Shapes;
+        return LeafOf(isShape ? TRACE_SHAPES : TRACE_DEFORMING, arrays_.shapes.size() - count,
+                      count);
       }
       case bvh::LeafKind::Instances: break;
     }

@@ -5,7 +5,7 @@
 #ifndef SNELL_KERNEL_SCENE_EMITTER_H
 #define SNELL_KERNEL_SCENE_EMITTER_H
 
-// A point on a triangle, by barycentric coordinates b1 and b2.
+// A point on a triangle of a mesh that keeps its shape, by barycentric coordinates b1 and b2.
 SCENE_FN vec3 PointOnTriangle(IN(Emitter) emitter, vec2 b) {
   LET(Triangle) triangle = triangles[emitter.primitive];
   vec3 point = positions[triangle.v0] * (1.0f - b.x - b.y) + positions[triangle.v1] * b.x +

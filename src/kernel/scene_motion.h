@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where objects are at a moment. Reads the objects, instances and the keys of their motion.
+// Where objects, and the vertices of meshes that change their shape, are at a moment. Reads the objects, instances,
+// positions and the keys of motion.
 #ifndef SNELL_KERNEL_SCENE_MOTION_H
 #define SNELL_KERNEL_SCENE_MOTION_H
 
@@ -20,6 +21,14 @@ SCENE_FN Transform InstanceAt(uint index, float time) {
   LET(Instance) instance = instances[index];
   if (objects[instance.object].motion == None) return instance.toWorld;
   return ObjectAt(instance.object, time);
+}
+
+// A vertex of a mesh in the mesh's space.
+SCENE_FN vec3 PositionAt(IN(Mesh) mesh, uint vertex, float time) {
+  if (mesh.steps == 0u) return positions[vertex];
+  MotionMoment moment = MomentOf(time, mesh.steps);
+  uint key = vertex + moment.step * mesh.stride;
+  return Lerp(moment.share, positions[key], positions[key + mesh.stride]);
 }
 
 SCENE_FN bool IsMoving(uint object) { return objects[object].motion != None; }

@@ -5,6 +5,31 @@
 #ifndef SNELL_KERNEL_SCENE_SURFACE_H
 #define SNELL_KERNEL_SCENE_SURFACE_H
 
+// A vertex's normal at a moment, of a mesh that has normals.
+SCENE_FN vec3 NormalAt(IN(Mesh) mesh, uint vertex, float time) {
+  uint first = vertex + mesh.normals;
+  if (mesh.steps == 0u) return normals[first];
+  MotionMoment moment = MomentOf(time, mesh.steps);
+  uint key = first + moment.step * mesh.stride;
+  return Lerp(moment.share, normals[key], normals[key + mesh.stride]);
+}
+
+// The same for its tangent.
+SCENE_FN vec3 TangentAt(IN(Mesh) mesh, uint vertex, float time) {
+  uint key = vertex + mesh.tangents;
+  float share = 0.0f;
+  uint next = key;
+  if (mesh.steps != 0u) {
+    MotionMoment moment = MomentOf(time, mesh.steps);
+    key += moment.step * mesh.stride;
+    next = key + mesh.stride;
+    share = moment.share;
+  }
+  vec4 a = tangents[key];
+  vec4 b = tangents[next];
+  return Lerp(share, vec3(a.x, a.y, a.z), vec3(b.x, b.y, b.z));
+}
+
 // The surface of a triangle at given barycentric coordinates, at a moment.
 SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, float time) {
   LET(Triangle) triangle = triangles[hit.primitive];
@@ -12,9 +37,9 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, f
   bool instanced = hit.instance != None;
   Transform place;
   if (instanced) place = InstanceAt(hit.instance, time);
-  vec3 p0 = positions[triangle.v0];
-  vec3 p1 = positions[triangle.v1];
-  vec3 p2 = positions[triangle.v2];
+  vec3 p0 = PositionAt(mesh, triangle.v0, time);
+  vec3 p1 = PositionAt(mesh, triangle.v1, time);
+  vec3 p2 = PositionAt(mesh, triangle.v2, time);
 
   SurfaceInteraction it;
   it.t = th.t;
@@ -41,9 +66,8 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, f
   // Interpolate what the vertices bring; where they bring normals, these say which side is outside
   it.ns = it.n;
   if (mesh.normals != None) {
-    it.ns = normals[triangle.v0 + mesh.normals] * th.b0 +
-            normals[triangle.v1 + mesh.normals] * th.b1 +
-            normals[triangle.v2 + mesh.normals] * th.b2;
+    it.ns = NormalAt(mesh, triangle.v0, time) * th.b0 + NormalAt(mesh, triangle.v1, time) * th.b1 +
+            NormalAt(mesh, triangle.v2, time) * th.b2;
     if (LengthSquared(it.ns) == 0.0f) it.ns = it.n;
     it.n = FaceForward(it.n, it.ns);
   }
@@ -72,12 +96,10 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, f
   it.tangent = it.dpdu;
   it.handedness = Dot(Cross(it.ns, it.dpdu), it.dpdv) < 0.0f ? -1.0f : 1.0f;
   if (mesh.tangents != None) {
-    vec4 t0 = tangents[triangle.v0 + mesh.tangents];
-    vec4 t1 = tangents[triangle.v1 + mesh.tangents];
-    vec4 t2 = tangents[triangle.v2 + mesh.tangents];
-    it.tangent = vec3(t0.x, t0.y, t0.z) * th.b0 + vec3(t1.x, t1.y, t1.z) * th.b1 +
-                 vec3(t2.x, t2.y, t2.z) * th.b2;
-    it.handedness = t0.w;
+    it.tangent = TangentAt(mesh, triangle.v0, time) * th.b0 +
+                 TangentAt(mesh, triangle.v1, time) * th.b1 +
+                 TangentAt(mesh, triangle.v2, time) * th.b2;
+    it.handedness = tangents[triangle.v0 + mesh.tangents].w;
   }
   it.color = Spectrum(1.0f, 1.0f, 1.0f);
   it.alpha = 1.0f;
@@ -119,11 +141,13 @@ SCENE_FN SurfaceInteraction TriangleSurfaceAt(IN(Hit) hit, IN(TriangleHit) th, f
 SCENE_FN SurfaceInteraction TriangleSurface(IN(Hit) hit, IN(Ray) worldRay) {
   // Find the barycentric coordinates in the space where the search found them
   LET(Triangle) triangle = triangles[hit.primitive];
+  LET(Mesh) mesh = meshes[triangle.mesh];
   Ray ray = worldRay;
   if (hit.instance != None)
     ray = ToLocalRay(InstanceAt(hit.instance, worldRay.time), worldRay.o, worldRay.d);
-  TriangleHit th = IntersectTriangle(Shear(ray.o, ray.d), positions[triangle.v0],
-                                     positions[triangle.v1], positions[triangle.v2]);
+  TriangleHit th = IntersectTriangle(
+      Shear(ray.o, ray.d), PositionAt(mesh, triangle.v0, worldRay.time),
+      PositionAt(mesh, triangle.v1, worldRay.time), PositionAt(mesh, triangle.v2, worldRay.time));
   return TriangleSurfaceAt(hit, th, worldRay.time);
 }
 

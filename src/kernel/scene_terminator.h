@@ -22,8 +22,8 @@ SCENE_FN bool LiftToSmoothSurface(IN(Hit) hit, IN(SurfaceInteraction) it, vec3 n
   vec3 cornerNormals[3];
   for (uint k = 0u; k < 3u; ++k) {
     uint vertex = k == 0u ? triangle.v0 : k == 1u ? triangle.v1 : triangle.v2;
-    corners[k] = positions[vertex];
-    cornerNormals[k] = normals[vertex + mesh.normals];
+    corners[k] = PositionAt(mesh, vertex, it.time);
+    cornerNormals[k] = NormalAt(mesh, vertex, it.time);
     if (hit.instance != None) {
       Transform place = InstanceAt(hit.instance, it.time);
       corners[k] = ToWorldPoint(place, corners[k]);

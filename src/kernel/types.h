@@ -94,6 +94,8 @@ struct Mesh {
   uint uvs1;     // for its second set of them
   uint tangents;
   uint colors;
+  uint steps;   // between the keys of its shape while the shutter is open; 0: it keeps its shape
+  uint stride;  // from a vertex to the same one at the next key: of positions, normals, tangents
 };
 
 // A mesh in its own space, placed in the world; if its object moves, by the object's motion.

@@ -123,14 +123,18 @@ int StepsOf(const Motion& motion, double open, double close) {
   }
   turn += TurnBetween(last, PlaceAt(motion, close));
   // Rounding aside, what only moves needs one
-  const int least = std::clamp(int(std::ceil(turn / LargestTurn - 1e-6)), 1, MostSteps);
-  for (int steps = least; steps < MostSteps; ++steps) {
+  return EvenSteps(cuts, std::clamp(int(std::ceil(turn / LargestTurn - 1e-6)), 1, MostSteps),
+                   MostSteps);
+}
+
+int EvenSteps(const std::vector<double>& cuts, int least, int most) {
+  for (int steps = least; steps < most; ++steps) {
     const auto isCut = [&](double share) {
       return std::abs(share * steps - std::round(share * steps)) < 1e-3;
     };
     if (std::ranges::all_of(cuts, isCut)) return steps;
   }
-  return MostSteps;
+  return most;
 }
 
 bool KeepsHandedness(const Motion& motion) {

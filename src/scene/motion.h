@@ -29,6 +29,10 @@ bool IsMoving(const Motion& motion, double open, double close);
 // close to the motion: turns of 2 degrees at most, and all keys on the cuts if 256 suffice.
 int StepsOf(const Motion& motion, double open, double close);
 
+// The fewest even steps, from `least` on, between which all `cuts` lie, which are shares of the time; `most` if fewer do
+// not do.
+int EvenSteps(const std::vector<double>& cuts, int least, int most);
+
 // Whether the map turns things inside out on its way, which no key may do against another.
 bool KeepsHandedness(const Motion& motion);
 

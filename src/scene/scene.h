@@ -128,6 +128,14 @@ struct Crease {
   float sharpness = 10;
 };
 
+// Where a mesh's vertices are at a moment of the scene's time, in seconds.
+struct MeshKey {
+  double time = 0;
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;   // empty or one for each, as the mesh's
+  std::vector<vec4> tangents;  // the same
+};
+
 // Triangles over shared vertices. Positions to colours, all but the first are empty or have an entry per position.
 // Vertices count counter-clockwise seen from outside; normals, where given, say themselves which side is
 // outside. In `uvs`, (0, 0) is a picture's lower left corner. A tangent's w is the sign of the bitangent:
@@ -144,6 +152,10 @@ struct Mesh {
   std::vector<bool>
       joins;  // whether a triangle and the one before it are of one polygon; empty: none
   std::vector<Crease> creases;
+  // A mesh that changes its shape has positions, normals and tangents as they are at `time`, and as they are later, by
+  // rising time. In between they change evenly; before the first and after the last key they rest (deformation.h)
+  double time = 0;
+  std::vector<MeshKey> keys;
 };
 
 // Where something is at a moment of the scene's time, in seconds.

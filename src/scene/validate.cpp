@@ -357,6 +357,15 @@ class Checker {
             bad("has too few coordinates, tangents or colours"));
     Require(mesh.joins.empty() || mesh.joins.size() == mesh.triangles.size(),
             bad("has too few joins of triangles"));
+    double time = mesh.time;
+    for (const MeshKey& key : mesh.keys) {
+      Require(key.time > time && std::isfinite(key.time) &&
+                  key.positions.size() == mesh.positions.size() &&
+                  key.normals.size() == mesh.normals.size() &&
+                  key.tangents.size() == mesh.tangents.size(),
+              bad("needs keys with all its vertices that rise in time"));
+      time = key.time;
+    }
     for (const uvec3& t : mesh.triangles) {
       if (t.x < mesh.positions.size() && t.y < mesh.positions.size() && t.z < mesh.positions.size())
         continue;

@@ -10,9 +10,11 @@
 #include <optional>
 #include <tuple>
 
+#include "scene/deformation.h"
 #include "tessellate/cage.h"
 #include "tessellate/dice.h"
 #include "tessellate/displace.h"
+#include "tessellate/keys.h"
 #include "tessellate/measure.h"
 #include "tessellate/subdivide.h"
 #include "tessellate/tangents.h"
@@ -54,15 +56,20 @@ struct Task {
 
 class Tessellator {
  public:
-  Tessellator(const scene::Scene& scene, const View& view, const TextureLookup& lookup,
-              std::uint64_t mostTriangles)
-      : scene_(scene), view_(view), lookup_(lookup), trianglesLeft_(mostTriangles) {}
+  Tessellator(const scene::Scene& scene, const scene::Camera& camera, const View& view,
+              const TextureLookup& lookup, std::uint64_t mostTriangles)
+      : scene_(scene),
+        camera_(camera),
+        view_(view),
+        lookup_(lookup),
+        trianglesLeft_(mostTriangles) {}
 
   FinerMeshes Tessellate() {
     CollectTasks();
     for (Task& task : tasks_) Perform(task);
     Warn(coarser_, "mesh", "coarser than asked for, lest the scene get too many triangles");
     Warn(unsubdivided_, "mesh", "left as it is: its faces cannot be subdivided");
+    Warn(deforming_, "mesh", "with a displaced material left smooth: its shape changes");
     Warn(shapes_, "shape", "with a displaced material left smooth: only meshes are displaced");
     return std::move(result_);
   }
@@ -84,8 +91,10 @@ class Tessellator {
         continue;
       }
       result_.meshOf[i] = task.mesh = geometry->mesh;
-      task.tangentsOf = TangentsOf(object, scene_.meshes[std::size_t(task.mesh)], task);
-      if (!task.IsDisplaced() && !task.IsSubdivided() && task.tangentsOf < 0) continue;
+      const Mesh& mesh = scene_.meshes[std::size_t(task.mesh)];
+      task.tangentsOf = TangentsOf(object, mesh, task);
+      if (!task.IsDisplaced() && !task.IsSubdivided() && task.tangentsOf < 0 && mesh.keys.empty())
+        continue;
 
       std::vector<std::size_t>& known = tasksOf[task.mesh];
       const auto same =
@@ -128,11 +137,17 @@ class Tessellator {
   }
 
   void Perform(Task& task) {
-    Mesh mesh = scene_.meshes[std::size_t(task.mesh)];
+    Mesh mesh = scene::ShapeDuring(scene_.meshes[std::size_t(task.mesh)], camera_.shutterOpen,
+                                   camera_.shutterClose);
     bool isCoarser = false;
     if (task.IsSubdivided()) SubdivideMesh(task, mesh, isCoarser);
     if (task.IsDisplaced()) DisplaceMesh(task, mesh, isCoarser);
-    if (task.tangentsOf >= 0 && mesh.tangents.empty()) MakeTangents(mesh, task.tangentsOf);
+    if (task.tangentsOf >= 0 && mesh.tangents.empty()) {
+      ChangeAllKeys(mesh, [&](Mesh& still) {
+        MakeTangents(still, task.tangentsOf);
+        return true;
+      });
+    }
     if (isCoarser) ++coarser_;
     if (task.IsSubdivided() || task.IsDisplaced()) result_.triangles += mesh.triangles.size();
     trianglesLeft_ -= std::min<std::uint64_t>(trianglesLeft_, mesh.triangles.size());
@@ -150,8 +165,9 @@ class Tessellator {
       --levels;
       isCoarser = true;
     }
-    CheckMemory(count());
-    if (count() > trianglesLeft_ || !Subdivide(mesh, task.subdivision, levels)) ++unsubdivided_;
+    CheckMemory(count() * (1 + mesh.keys.size()));
+    const auto subdivide = [&](Mesh& still) { return Subdivide(still, task.subdivision, levels); };
+    if (count() > trianglesLeft_ || !ChangeAllKeys(mesh, subdivide)) ++unsubdivided_;
   }
 
   // As many halvings as the longest edge of a polygon needs.
@@ -173,6 +189,10 @@ class Tessellator {
   }
 
   void DisplaceMesh(const Task& task, Mesh& mesh, bool& isCoarser) {
+    if (!mesh.keys.empty()) {
+      ++deforming_;
+      return;
+    }
     CheckMemory(mesh.triangles.size());
     if (!Dice(mesh, *task.measure, task.displacement.target, trianglesLeft_)) isCoarser = true;
     const Displacement& d = task.displacement;
@@ -198,12 +218,13 @@ class Tessellator {
   }
 
   const scene::Scene& scene_;
+  const scene::Camera& camera_;
   const View& view_;
   const TextureLookup& lookup_;
   std::uint64_t trianglesLeft_;
   std::vector<Task> tasks_;
   FinerMeshes result_;
-  std::uint64_t coarser_ = 0, unsubdivided_ = 0, shapes_ = 0;
+  std::uint64_t coarser_ = 0, unsubdivided_ = 0, deforming_ = 0, shapes_ = 0;
 };
 
 }  // namespace
@@ -213,7 +234,7 @@ FinerMeshes Tessellate(const scene::Scene& scene, const scene::RenderSettings& s
                        std::uint64_t mostTriangles) {
   const View view(camera, settings.width, settings.height);
   try {
-    return Tessellator(scene, view, lookup, mostTriangles).Tessellate();
+    return Tessellator(scene, camera, view, lookup, mostTriangles).Tessellate();
   } catch (const std::bad_alloc&) {
     throw Error("not enough memory for the finer meshes", {scene.name},
                 "ask for fewer levels or for longer edges");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Finer meshes for a scene, made before it is flattened: subdivision surfaces become their limit, displaced
-// surfaces move, and meshes under normal maps get the tangents that they lack (decision 011). The scene
-// itself stays as it is; objects are pointed to meshes made for them, which instances still share.
+// surfaces move, and meshes under normal maps get the tangents that they lack (decision 011). Meshes that change
+// their shape come with keys at even steps of the time that the camera's shutter is open for. The scene itself stays
+// as it is; objects are pointed to meshes made for them, which instances still share.
 #pragma once
 
 #include <cstdint>

@@ -76,6 +76,12 @@ TEST(Coverage, ShapesAndMeshes) {
   EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.normals == kernel::None; }));
   EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.normals != kernel::None; }));
   EXPECT_TRUE(any_of(meshes, [](const Mesh& m) { return m.uvs != kernel::None; }));
+  for (const auto offset : {&Mesh::normals, &Mesh::tangents, &Mesh::uvs}) {
+    for (const bool has : {false, true})
+      EXPECT_TRUE(any_of(meshes, [&](const Mesh& m) {
+        return m.steps > 0 && (m.*offset != kernel::None) == has;
+      }));
+  }
   const auto instances = Every(&FlatScene::instances);
   EXPECT_TRUE(any_of(instances, Mirrored, &Instance::toWorld));
   EXPECT_TRUE(any_of(instances, Sheared, &Instance::toWorld));

@@ -108,7 +108,7 @@ std::map<std::string, Record> RecordsInCpp() {
       {"Mesh",
        {sizeof(Mesh),
         {MEMBER(Mesh, object), MEMBER(Mesh, normals), MEMBER(Mesh, uvs), MEMBER(Mesh, uvs1),
-         MEMBER(Mesh, tangents), MEMBER(Mesh, colors)}}},
+         MEMBER(Mesh, tangents), MEMBER(Mesh, colors), MEMBER(Mesh, steps), MEMBER(Mesh, stride)}}},
       {"Instance",
        {sizeof(Instance),
         {MEMBER(Instance, object), MEMBER(Instance, root), MEMBER(Instance, firstTriangle),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things and cameras that move while the shutter is open: every shape, meshes, glass, textures, and turns.
+// Things and cameras that move while the shutter is open: every shape, meshes, glass, textures, and turns; and meshes
+// that change their shape.
+#include <cmath>
+
 #include "agree/scene_builder.h"
 #include "agree/scenes.h"
 
@@ -81,6 +84,57 @@ scene::Scene MovingMeshes() {
   return builder.Finish();
 }
 
+// The mesh with further keys, in each of which its vertices have turned and moved apart a little more.
+scene::Mesh Deforming(scene::Mesh mesh, int keys, float strength) {
+  mesh.time = 0;
+  for (int k = 1; k < keys; ++k) {
+    const float time = float(k) / float(keys - 1);
+    scene::MeshKey& key = mesh.keys.emplace_back(
+        scene::MeshKey{double(time), mesh.positions, mesh.normals, mesh.tangents});
+    for (std::size_t i = 0; i < key.positions.size(); ++i) {
+      vec3& p = key.positions[i];
+      p += vec3(std::sin(3 * p.y + 2 * time), 0.5f * p.x * p.z, std::cos(2 * p.x) * time) *
+           (strength * time);
+      if (!key.normals.empty()) key.normals[i] += vec3(p.y, -p.x, 0.3f) * (strength * time);
+      if (!key.tangents.empty()) key.tangents[i] += scene::vec4(p.z, p.x, 0, 0) * strength;
+    }
+  }
+  return mesh;
+}
+
+// Meshes that change their shape: smooth, flat, moving and mirrored besides, of glass, glowing, under a normal map, and
+// one that is placed three times.
+scene::Scene DeformingMeshes() {
+  SceneBuilder builder("DeformingMeshes", vec3(1, 2, 6), vec3(0, 0, 0));
+  Open(builder);
+  builder.Add(PointLight(vec3(3, 6, 3), 120));
+  builder.environment().top = {0.4f, 0.5f, 0.7f};
+  const int matte = builder.Add(Matte({0.8f, 0.5f, 0.3f}));
+  const int mirror = builder.Add(Mirror(Spectrum(0.7f)));
+  const int glass = builder.Add(Glass(1.4f));
+  scene::Material lamp = Matte(Spectrum(0.0f));
+  lamp.emission.value = {2, 1, 0.5f};
+  scene::Texture bumps;
+  scene::Material bumpy = Matte(Spectrum(0.8f));
+  bumpy.normalMap = {builder.Add(bumps), 0.5f, false};
+  const int materials[] = {matte, mirror, glass, builder.Add(lamp), builder.Add(bumpy)};
+  const scene::MeshGeometry shared{builder.Add(Deforming(SmoothOctahedron(), 3, 0.4f))};
+  for (int i = 0; i < 5; ++i) {
+    const Affine place = Move({float(i) * 1.3f - 2.6f, 0.3f, i % 2 == 0 ? -0.5f : 0.7f}) *
+                         Scale(vec3(i == 1 ? -0.7f : 0.7f, 0.7f, 0.6f));
+    scene::Mesh own = i % 2 == 0 ? SmoothOctahedron() : Tetrahedron();
+    if (i == 4) own.tangents.assign(own.positions.size(), scene::vec4(1, 0, 0, 1));
+    const scene::MeshGeometry mesh =
+        i < 2 ? shared : scene::MeshGeometry{builder.Add(Deforming(own, 2 + i, 0.3f))};
+    scene::Object& object = builder.Place(mesh, materials[i], place);
+    if (i % 2 == 1)
+      object.motion = {{0, place}, {1, Move({0.1f, 0.3f, 0}) * place * Turn(20, vec3(0, 1, 0))}};
+  }
+  builder.Place(shared, matte, Move({0, -0.6f, 1.5f}) * Scale(vec3(0.4f)));
+  builder.Floor(-1);
+  return builder.Finish();
+}
+
 scene::Scene MovingCamera() {
   SceneBuilder builder("MovingCamera", vec3(0, 1, 4), vec3(0, 0, 0));
   Open(builder);
@@ -100,7 +154,7 @@ scene::Scene MovingCamera() {
 }  // namespace
 
 std::vector<scene::Scene> ScenesOfMotion() {
-  return {MovingShapes(), MovingMeshes(), MovingCamera()};
+  return {MovingShapes(), MovingMeshes(), DeformingMeshes(), MovingCamera()};
 }
 
 }  // namespace snell::agree

@@ -60,6 +60,7 @@ class Soup {
   kernel::Instance AddMesh(const TriangleMesh& mesh) {
     const unsigned first = unsigned(triangles_.size());
     AddMesh(mesh, kernel::None);
+    if (deforms_ != nullptr) AddKeys(mesh);
     return {0, 0, first, unsigned(mesh.triangles.size()), {}};
   }
   void AddInstance(kernel::Instance instance, const glm::dmat4& map,
@@ -68,6 +69,9 @@ class Soup {
     instance.toWorld = ToKernel(map);
     instances_.push_back(instance);
   }
+
+  // Let meshes that are added for instances from now on change their shape, over a few keys.
+  void DeformMeshes(Random& random) { deforms_ = &random; }
 
   // Let all shapes and instances move from where they are, over a few keys.
   void Move(Random& random) {
@@ -109,8 +113,11 @@ class Soup {
     if (hit.instance != kernel::None)
       local = kernel::ToLocalRay(BruteForce().InstanceAt(hit.instance, ray.time), ray.o, ray.d);
     const kernel::Triangle& t = triangles_[hit.primitive];
-    return kernel::IntersectTriangle(kernel::Shear(local.o, local.d), positions_[t.v0],
-                                     positions_[t.v1], positions_[t.v2])
+    const auto corner = [&](unsigned vertex) {
+      return BruteForce().PositionAt(meshes_[t.mesh], vertex, ray.time);
+    };
+    return kernel::IntersectTriangle(kernel::Shear(local.o, local.d), corner(t.v0), corner(t.v1),
+                                     corner(t.v2))
         .t;
   }
 
@@ -144,7 +151,17 @@ class Soup {
       triangles_.push_back({first + t.x, first + t.y, first + t.z, unsigned(meshes_.size())});
     positions_.insert(positions_.end(), mesh.positions.begin(), mesh.positions.end());
     meshes_.push_back(
-        {object, kernel::None, kernel::None, kernel::None, kernel::None, kernel::None});
+        {object, kernel::None, kernel::None, kernel::None, kernel::None, kernel::None, 0, 0});
+  }
+
+  // Keys of the mesh that was added last.
+  void AddKeys(const TriangleMesh& mesh) {
+    meshes_.back().steps = 1 + deforms_->Index(4);
+    meshes_.back().stride = unsigned(mesh.positions.size());
+    for (unsigned key = 1; key <= meshes_.back().steps; ++key) {
+      for (const kernel::vec3 p : mesh.positions)
+        positions_.push_back(p + kernel::vec3(deforms_->InCube()) * 0.2f);
+    }
   }
 
   std::vector<kernel::vec3> positions_;
@@ -155,6 +172,7 @@ class Soup {
   std::vector<kernel::Object> objects_;
   std::vector<kernel::MotionKey> motions_;
   unsigned worldTriangles_ = 0;
+  Random* deforms_ = nullptr;
 };
 
 inline glm::dvec3 Soup::PointOnSurface(Random& random) const {

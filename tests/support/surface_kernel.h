@@ -40,7 +40,7 @@ struct MeshScene {
   mutable SurfaceKernel kernel;  // its functions are not const, as GLSL has no such thing
 
   explicit MeshScene(const TriangleMesh& mesh)
-      : positions(mesh.positions), meshes{{0, None, None, None, None, None}} {
+      : positions(mesh.positions), meshes{{0, None, None, None, None, None, 0, 0}} {
     for (const uvec3 t : mesh.triangles) triangles.push_back({t.x, t.y, t.z, 0});
     kernel.triangles = triangles.data();
     kernel.meshes = meshes.data();

@@ -45,10 +45,12 @@ SCENE_FN Hit ClosestHit(IN(Ray) ray, float tMax, uint mask) {
     ShearedRay sheared = Shear(local.o, local.d);
     for (uint i = first; i < first + count; ++i) {
       LET(Triangle) triangle = triangles[i];
-      uint object = instanced ? instances[k].object : meshes[triangle.mesh].object;
+      LET(Mesh) mesh = meshes[triangle.mesh];
+      uint object = instanced ? instances[k].object : mesh.object;
       if ((objects[object].mask & mask) == 0u) continue;
-      TriangleHit candidate = IntersectTriangle(sheared, positions[triangle.v0],
-                                                positions[triangle.v1], positions[triangle.v2]);
+      TriangleHit candidate = IntersectTriangle(sheared, PositionAt(mesh, triangle.v0, ray.time),
+                                                PositionAt(mesh, triangle.v1, ray.time),
+                                                PositionAt(mesh, triangle.v2, ray.time));
       TakeNearer(candidate.t, instanced ? k : None, i, best, hit);
     }
   }

@@ -118,12 +118,28 @@ SCENE_FN Hit Search(IN(Ray) ray, float tMax, uint mask, bool anyWillDo) {
     uint met = 0u;
     if (!isLeaf) {
       met = MeetChildren(child, nodeRay, best);
-    } else if (kind == TRACE_TRIANGLES) {
+    } else if (kind == TRACE_TRIANGLES || kind == TRACE_DEFORMING) {
       for (uint i = first; i < first + count; ++i) {
-        if ((traceTriangles[i].mask & mask) == 0u) continue;
-        TriangleHit found = IntersectTriangle(sheared, traceTriangles[i].v0, traceTriangles[i].v1,
-                                              traceTriangles[i].v2);
-        TakeNearer(found.t, instance, traceTriangles[i].index, best, hit);
+        uint index;
+        vec3 v0;
+        vec3 v1;
+        vec3 v2;
+        if (kind == TRACE_TRIANGLES) {
+          if ((traceTriangles[i].mask & mask) == 0u) continue;
+          index = traceTriangles[i].index;
+          v0 = traceTriangles[i].v0;
+          v1 = traceTriangles[i].v1;
+          v2 = traceTriangles[i].v2;
+        } else {
+          index = traceShapes[i];
+          LET(Triangle) triangle = triangles[index];
+          LET(Mesh) mesh = meshes[triangle.mesh];
+          v0 = PositionAt(mesh, triangle.v0, ray.time);
+          v1 = PositionAt(mesh, triangle.v1, ray.time);
+          v2 = PositionAt(mesh, triangle.v2, ray.time);
+        }
+        TriangleHit found = IntersectTriangle(sheared, v0, v1, v2);
+        TakeNearer(found.t, instance, index, best, hit);
       }
     } else if (kind == TRACE_SHAPES) {
       MeetShapes(first, count, ray, mask, best, hit);

@@ -34,7 +34,7 @@ std::vector<float> GltfAttributes::Floats(const std::string& name, int component
     throw data_.document().Fault(
         part_, fmt::format("{} has {} for each vertex, {} are needed", name,
                            Plural(std::uint64_t(found->second.components), "number"), components));
-  return std::move(found->second.values);
+  return found->second.values;
 }
 
 std::vector<std::uint32_t> GltfAttributes::Indices(std::size_t vertexCount) {

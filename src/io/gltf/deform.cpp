@@ -3,21 +3,24 @@
 // Morph targets and linear blend skinning (glTF 2.0, sections 3.7.2.2 and 3.7.3).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "io/gltf/attributes.h"
 #include "io/gltf/primitive.h"
 
 namespace snell::io {
 
+using scene::MeshKey;
 using scene::vec3;
 using scene::vec4;
 
-void Morph(GltfData& data, const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-           scene::Mesh& mesh) {
+static void Morph(GltfData& data, const tinygltf::Primitive& primitive,
+                  const std::vector<double>& weights, MeshKey& mesh) {
   for (std::size_t i = 0; i < primitive.targets.size() && i < weights.size(); ++i) {
     const float weight = float(weights[i]);
     if (weight == 0 || !std::isfinite(weight)) continue;
@@ -58,8 +61,8 @@ static void AddWeights(GltfAttributes& attributes, const std::vector<glm::dmat4>
   }
 }
 
-void Skin(GltfAttributes& attributes, const std::vector<glm::dmat4>& joints, scene::Mesh& mesh,
-          GltfFindings& findings, const std::string& part) {
+static void Skin(GltfAttributes& attributes, const std::vector<glm::dmat4>& joints, MeshKey& mesh,
+                 GltfFindings& findings, const std::string& part) {
   std::vector<glm::dmat4> sums(mesh.positions.size(), glm::dmat4(0.0));
   std::vector<double> totals(mesh.positions.size(), 0.0);
   AddWeights(attributes, joints, sums, totals, findings, part);
@@ -75,6 +78,27 @@ void Skin(GltfAttributes& attributes, const std::vector<glm::dmat4>& joints, sce
       tangent = vec4(vec3(linear * glm::dvec3(vec3(tangent))), tangent.w);
     }
   }
+}
+
+void Bend(GltfData& data, const tinygltf::Primitive& primitive, GltfAttributes& attributes,
+          std::span<const GltfDeformation> moments, scene::Mesh& mesh, const std::string& part) {
+  std::vector<MeshKey> keys;
+  for (const GltfDeformation& moment : moments) {
+    MeshKey& key =
+        keys.emplace_back(MeshKey{moment.time, mesh.positions, mesh.normals, mesh.tangents});
+    Morph(data, primitive, moment.weights, key);
+    if (!moment.joints.empty())
+      Skin(attributes, moment.joints, key, data.document().findings, part);
+  }
+  mesh.time = keys.front().time;
+  mesh.positions = std::move(keys.front().positions);
+  mesh.normals = std::move(keys.front().normals);
+  mesh.tangents = std::move(keys.front().tangents);
+  keys.erase(keys.begin());
+  const auto moves = [&](const MeshKey& key) {
+    return key.positions != mesh.positions || key.normals != mesh.normals;
+  };
+  if (std::ranges::any_of(keys, moves)) mesh.keys = std::move(keys);
 }
 
 }  // namespace snell::io

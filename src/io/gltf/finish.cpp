@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The end of reading a primitive: what the rest of Snell relies on.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -49,6 +50,11 @@ void DropUnused(Mesh& mesh) {
   Keep(mesh.uvs, sources);
   Keep(mesh.uvs1, sources);
   Keep(mesh.colors, sources);
+  for (scene::MeshKey& key : mesh.keys) {
+    Keep(key.positions, sources);
+    Keep(key.normals, sources);
+    Keep(key.tangents, sources);
+  }
 }
 
 // Make a vector of unit length; false if it has no direction.
@@ -60,40 +66,48 @@ bool Normalize(vec3& v) {
 }
 
 // Give vertices without a sound normal the mean of their triangles'.
-void FinishNormals(Mesh& mesh, GltfFindings& findings, const std::string& part) {
-  std::vector<bool> isBad(mesh.normals.size(), false);
+void FinishNormals(const std::vector<uvec3>& triangles, const std::vector<vec3>& positions,
+                   std::vector<vec3>& normals, GltfFindings& findings, const std::string& part) {
+  std::vector<bool> isBad(normals.size(), false);
   bool anyBad = false;
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    if (Normalize(mesh.normals[i])) continue;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (Normalize(normals[i])) continue;
     isBad[i] = anyBad = true;
-    mesh.normals[i] = vec3(0.0f);
+    normals[i] = vec3(0.0f);
   }
   if (!anyBad) return;
   findings.Note("normals without a direction are made anew", part);
-  std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0.0));
-  for (const uvec3& t : mesh.triangles) {
-    const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+  std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
+  for (const uvec3& t : triangles) {
+    const glm::dvec3 a(positions[t.x]), b(positions[t.y]), c(positions[t.z]);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     for (int k = 0; k < 3; ++k) sums[t[k]] += normal;
   }
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+  for (std::size_t i = 0; i < normals.size(); ++i) {
     if (!isBad[i]) continue;
     const double length = glm::length(sums[i]);
-    mesh.normals[i] = length > 0 && std::isfinite(length) ? vec3(sums[i] / length) : vec3(0, 1, 0);
+    normals[i] = length > 0 && std::isfinite(length) ? vec3(sums[i] / length) : vec3(0, 1, 0);
   }
+}
+
+// Make tangents sound; false if some have no direction.
+bool NormalizeTangents(std::vector<vec4>& tangents) {
+  for (vec4& tangent : tangents) {
+    vec3 direction(tangent);
+    if (!Normalize(direction) || !std::isfinite(tangent.w)) return false;
+    tangent = vec4(direction, tangent.w < 0 ? -1.0f : 1.0f);
+  }
+  return true;
 }
 
 // Tangents are all sound, or none.
 void FinishTangents(Mesh& mesh, GltfFindings& findings, const std::string& part) {
-  for (vec4& tangent : mesh.tangents) {
-    vec3 direction(tangent);
-    if (!Normalize(direction) || !std::isfinite(tangent.w)) {
-      findings.Note("tangents without a direction: the mesh's are left out", part);
-      mesh.tangents.clear();
-      return;
-    }
-    tangent = vec4(direction, tangent.w < 0 ? -1.0f : 1.0f);
-  }
+  bool good = NormalizeTangents(mesh.tangents);
+  for (scene::MeshKey& key : mesh.keys) good = NormalizeTangents(key.tangents) && good;
+  if (good) return;
+  findings.Note("tangents without a direction: the mesh's are left out", part);
+  mesh.tangents.clear();
+  for (scene::MeshKey& key : mesh.keys) key.tangents.clear();
 }
 
 void FinishUvs(std::vector<vec2>& uvs, GltfFindings& findings, const std::string& part) {
@@ -117,9 +131,13 @@ void FinishColors(Mesh& mesh, GltfFindings& findings, const std::string& part) {
 }  // namespace
 
 std::optional<Mesh> FinishGltfMesh(Mesh mesh, GltfFindings& findings, const std::string& part) {
+  const auto isUndefined = [](const std::vector<vec3>& positions, const uvec3& t) {
+    return !IsFinite(positions[t.x]) || !IsFinite(positions[t.y]) || !IsFinite(positions[t.z]);
+  };
   const std::size_t removed = std::erase_if(mesh.triangles, [&](const uvec3& t) {
-    return !IsFinite(mesh.positions[t.x]) || !IsFinite(mesh.positions[t.y]) ||
-           !IsFinite(mesh.positions[t.z]);
+    return isUndefined(mesh.positions, t) ||
+           std::ranges::any_of(
+               mesh.keys, [&](const scene::MeshKey& key) { return isUndefined(key.positions, t); });
   });
   if (removed > 0) findings.Note("triangles with positions that are not finite are left out", part);
   if (mesh.triangles.empty()) {
@@ -127,7 +145,9 @@ std::optional<Mesh> FinishGltfMesh(Mesh mesh, GltfFindings& findings, const std:
     return {};
   }
   DropUnused(mesh);
-  FinishNormals(mesh, findings, part);
+  FinishNormals(mesh.triangles, mesh.positions, mesh.normals, findings, part);
+  for (scene::MeshKey& key : mesh.keys)
+    FinishNormals(mesh.triangles, key.positions, key.normals, findings, part);
   FinishTangents(mesh, findings, part);
   FinishUvs(mesh.uvs, findings, part);
   FinishUvs(mesh.uvs1, findings, part);

@@ -24,10 +24,12 @@ class GltfSceneReader {
                options.scene),
         meshes_(data_, scene_, options.variant),
         materials_(data_, scene_) {
+    const double start = options.time.value_or(0);
+    moments_.push_back(nodes_.Here(start));
     if (options.duration <= 0 || document.model.animations.empty()) return;
-    for (int i = 0; i <= MotionKeys; ++i) {
-      const double time = options.time.value_or(0) + options.duration * i / MotionKeys;
-      moments_.push_back({time, nodes_.WorldsAt(data_, time)});
+    for (int i = 1; i <= MotionKeys; ++i) {
+      const double time = start + options.duration * i / MotionKeys;
+      if (time > moments_.back().time) moments_.push_back(nodes_.At(data_, time));
     }
   }
 
@@ -51,7 +53,7 @@ class GltfSceneReader {
     auto camera = ReadGltfCamera(document_, record.camera, nodes_.World(node), part);
     if (!camera) return;
     if (camera->name.empty()) camera->name = record.name;
-    if (!moments_.empty()) {
+    if (moments_.size() > 1) {
       camera->motion = MotionOf(node, glm::dmat4(1.0), part);
       camera->shutterOpen = moments_.front().time;
       camera->shutterClose = moments_.back().time;
@@ -61,7 +63,7 @@ class GltfSceneReader {
 
   void AddObjects(int node, const std::string& part) {
     bool isSkinned = false;
-    const std::vector<GltfMeshes::Part> parts = meshes_.Of(node, nodes_, isSkinned);
+    const std::vector<GltfMeshes::Part> parts = meshes_.Of(node, nodes_, moments_, isSkinned);
     if (parts.empty()) return;
     for (const glm::dmat4& instance : ReadGltfInstances(data_, node, part)) {
       const glm::dmat4 toWorld = isSkinned ? glm::dmat4(1.0) : nodes_.World(node) * instance;
@@ -81,7 +83,7 @@ class GltfSceneReader {
   scene::Motion MotionOf(int node, const glm::dmat4& local, const std::string& part) {
     scene::Motion motion;
     bool moves = false;
-    for (const Moment& moment : moments_) {
+    for (const GltfMoment& moment : moments_) {
       motion.push_back({moment.time, moment.worlds[std::size_t(node)] * local});
       moves = moves || motion.back().place != motion.front().place;
       if (IsInvertible(motion.back().place)) continue;
@@ -108,10 +110,6 @@ class GltfSceneReader {
 
   // Between these, movement is taken to be even.
   static constexpr int MotionKeys = 16;
-  struct Moment {
-    double time;
-    std::vector<glm::dmat4> worlds;  // of the nodes
-  };
 
   const GltfDocument& document_;
   scene::Scene scene_;
@@ -119,7 +117,7 @@ class GltfSceneReader {
   GltfNodes nodes_;
   GltfMeshes meshes_;
   GltfMaterials materials_;
-  std::vector<Moment> moments_;
+  std::vector<GltfMoment> moments_;  // one, or those of the motion
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // The primitives of glTF's meshes: modes, attributes, repairs, morph targets, skins.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "io/gltf/test_files.h"
@@ -135,6 +136,57 @@ TEST(GltfMesh, SkinsMoveVerticesIntoTheWorld) {
   EXPECT_EQ(result.mesh().positions.at(1), vec3(21, 0, 0));
   EXPECT_EQ(result.mesh().positions.at(2), vec3(15, 1, 0));
   EXPECT_EQ(result.scene.objects.at(0).toWorld, scene::Affine(1.0));
+}
+
+// A triangle that follows one joint, which is turned by a right angle about z from second 0 to 1, and one with a morph
+// target whose weight goes from 0 to 1 meanwhile.
+scene::Scene BentTriangles(double time, double duration) {
+  GltfBuilder builder;
+  builder.AddFloats({0, 1}, "SCALAR", 2);
+  builder.AddFloats({0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f}, "VEC4", 2);
+  builder.AddFloats({0, 1}, "SCALAR", 2);
+  builder.AddFloats({0, 0, 2, 0, 0, 2, 0, 0, 4}, "VEC3", 3);
+  builder.Add(std::string(12, '\0'), UnsignedByte, "VEC4", 3);
+  builder.AddFloats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 3);
+  builder.AddFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  const int triangle = builder.AddTriangle();
+  const std::string text = builder.Document(fmt::format(
+      R"("nodes": [{{"mesh": 0, "skin": 0}}, {{"translation": [1, 0, 0]}}, {{"mesh": 1}}],
+"skins": [{{"joints": [1]}}], "meshes": [{{"primitives": [{{"attributes":
+{{"POSITION": {0}, "JOINTS_0": 4, "WEIGHTS_0": 5}}}}]}}, {{"primitives": [{{"attributes":
+{{"POSITION": {0}, "NORMAL": 6}}, "targets": [{{"POSITION": 3}}]}}]}}],
+"animations": [{{"channels": [{{"sampler": 0, "target": {{"node": 1, "path": "rotation"}}}},
+{{"sampler": 1, "target": {{"node": 2, "path": "weights"}}}}],
+"samplers": [{{"input": 0, "output": 1}}, {{"input": 0, "output": 2}}]}}])",
+      triangle));
+  ReadOptions options;
+  options.time = time;
+  options.duration = duration;
+  const TemporaryFile file("a.gltf", text);
+  return ReadGltf(file.path(), options, {}).scene;
+}
+
+TEST(GltfMeshes, SkinsAndMorphsBendForADuration) {
+  const scene::Scene scene = BentTriangles(0, 1);
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  const scene::Mesh& skinned = scene.meshes[0];
+  ASSERT_GT(skinned.keys.size(), 8u);
+  EXPECT_EQ(skinned.time, 0);
+  EXPECT_EQ(skinned.keys.back().time, 1);
+  EXPECT_LT(glm::length(skinned.positions[1] - vec3(2, 0, 0)), 1e-6f);
+  EXPECT_LT(glm::length(skinned.keys.back().positions[1] - vec3(1, 1, 0)), 1e-6f);
+  const scene::MeshKey& middle = skinned.keys[skinned.keys.size() / 2 - 1];
+  EXPECT_EQ(middle.time, 0.5);
+  EXPECT_LT(glm::length(middle.positions[1] - vec3(1.70710678f, 0.70710678f, 0)), 1e-5f);
+  const scene::Mesh& morphed = scene.meshes[1];
+  ASSERT_EQ(morphed.keys.size(), skinned.keys.size());
+  EXPECT_EQ(morphed.keys.back().positions[2], vec3(0, 1, 4));
+  EXPECT_EQ(morphed.keys.back().normals[2], vec3(0, 0, 1));
+  EXPECT_NE(morphed.keys[2].positions[2], morphed.keys[3].positions[2]);
+  // A moment, and when all is over
+  for (const auto& [time, duration] : {std::pair(0.5, 0.0), {2.0, 1.0}})
+    for (const scene::Mesh& mesh : BentTriangles(time, duration).meshes)
+      EXPECT_TRUE(mesh.keys.empty()) << time;
 }
 
 }  // namespace

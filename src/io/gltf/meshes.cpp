@@ -42,11 +42,14 @@ int GltfMeshes::MaterialOf(const tinygltf::Primitive& primitive) const {
 }
 
 // From the mesh at rest to the world, for each joint of a skin; empty if the skin is of no use.
-const std::vector<glm::dmat4>& GltfMeshes::Joints(int index, const GltfNodes& nodes) {
+const GltfMeshes::Joints& GltfMeshes::JointsOf(int index, const GltfNodes& nodes,
+                                               std::span<const GltfMoment> moments) {
   const GltfDocument& document = data_.document();
   const auto [entry, isNew] = joints_.try_emplace(index);
-  std::vector<glm::dmat4>& joints = entry->second;
-  if (!isNew || index < 0) return joints;
+  Joints& joints = entry->second;
+  if (!isNew) return joints;
+  joints.resize(moments.size());
+  if (index < 0) return joints;
   if (std::size_t(index) >= document.model.skins.size()) {
     document.findings.Note("a skin does not exist", GltfPart("skin", std::size_t(index)));
     return joints;
@@ -61,13 +64,17 @@ const std::vector<glm::dmat4>& GltfMeshes::Joints(int index, const GltfNodes& no
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
     const int node = skin.joints[i];
     if (!nodes.Exists(node)) throw document.Fault(part, fmt::format("there is no node {}", node));
-    joints.push_back(nodes.World(node));
-    if (!inverses.empty()) joints.back() *= glm::dmat4(glm::make_mat4(inverses.data() + i * 16));
+    for (std::size_t k = 0; k < moments.size(); ++k) {
+      joints[k].push_back(moments[k].worlds[std::size_t(node)]);
+      if (!inverses.empty())
+        joints[k].back() *= glm::dmat4(glm::make_mat4(inverses.data() + i * 16));
+    }
   }
   return joints;
 }
 
-std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation& deformation) {
+std::vector<GltfMeshes::Part> GltfMeshes::Read(int index,
+                                               std::span<const GltfDeformation> moments) {
   const GltfDocument& document = data_.document();
   const tinygltf::Mesh& mesh = document.model.meshes[std::size_t(index)];
   const std::string name = GltfPart("mesh", std::size_t(index), mesh.name);
@@ -76,8 +83,8 @@ std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation&
     const tinygltf::Primitive& primitive = mesh.primitives[i];
     const std::string part =
         mesh.primitives.size() > 1 ? fmt::format("{}, primitive {}", name, i) : name;
-    auto read = ReadGltfPrimitive(data_, primitive, deformation,
-                                  document.limits.triangles - triangles_, part);
+    auto read =
+        ReadGltfPrimitive(data_, primitive, moments, document.limits.triangles - triangles_, part);
     if (!read) continue;
     triangles_ += read->triangles.size();
     read->name = mesh.name.empty() ? part : mesh.name;
@@ -87,7 +94,8 @@ std::vector<GltfMeshes::Part> GltfMeshes::Read(int index, const GltfDeformation&
   return parts;
 }
 
-std::vector<GltfMeshes::Part> GltfMeshes::Of(int node, const GltfNodes& nodes, bool& isSkinned) {
+std::vector<GltfMeshes::Part> GltfMeshes::Of(int node, const GltfNodes& nodes,
+                                             std::span<const GltfMoment> moments, bool& isSkinned) {
   const GltfDocument& document = data_.document();
   const tinygltf::Node& record = document.model.nodes[std::size_t(node)];
   isSkinned = false;
@@ -98,17 +106,27 @@ std::vector<GltfMeshes::Part> GltfMeshes::Of(int node, const GltfNodes& nodes, b
   }
 
   // Weights of the node come before those of the mesh
-  GltfDeformation deformation;
-  deformation.joints = Joints(record.skin, nodes);
-  deformation.weights = nodes.State(node).weights;
-  if (deformation.weights.empty())
-    deformation.weights = document.model.meshes[std::size_t(record.mesh)].weights;
-  isSkinned = !deformation.joints.empty();
-  const bool isBent =
-      isSkinned || std::ranges::any_of(deformation.weights, [](double w) { return w != 0; });
-  if (isBent) return Read(record.mesh, deformation);
+  const Joints& joints = JointsOf(record.skin, nodes, moments);
+  std::vector<GltfDeformation> bends;
+  for (std::size_t k = 0; k < moments.size(); ++k) {
+    const std::vector<double>& weights = moments[k].weights[std::size_t(node)];
+    bends.push_back(
+        {moments[k].time,
+         weights.empty() ? document.model.meshes[std::size_t(record.mesh)].weights : weights,
+         joints[k]});
+  }
+  isSkinned = !bends.front().joints.empty();
+  const auto isBent = [](const GltfDeformation& bend) {
+    return !bend.joints.empty() ||
+           std::ranges::any_of(bend.weights, [](double w) { return w != 0; });
+  };
+  const auto isOther = [&](const GltfDeformation& bend) {
+    return bend.joints != bends.front().joints || bend.weights != bends.front().weights;
+  };
+  if (std::ranges::none_of(bends, isOther)) bends.resize(1);
+  if (std::ranges::any_of(bends, isBent)) return Read(record.mesh, bends);
   const auto [entry, isNew] = shared_.try_emplace(record.mesh);
-  if (isNew) entry->second = Read(record.mesh, {});
+  if (isNew) entry->second = Read(record.mesh, bends);
   return entry->second;
 }
 

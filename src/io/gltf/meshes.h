@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <vector>
 
 #include "io/gltf/data.h"
@@ -24,19 +25,21 @@ class GltfMeshes {
     scene::MeshIndex mesh = -1;
     int material = -1;  // glTF's
   };
-  // The parts that a node shows. `isSkinned` says whether they are in the world already.
-  std::vector<Part> Of(int node, const GltfNodes& nodes, bool& isSkinned);
+  // The parts that a node shows, as they are at some moments. `isSkinned` says whether they are in the world already.
+  std::vector<Part> Of(int node, const GltfNodes& nodes, std::span<const GltfMoment> moments,
+                       bool& isSkinned);
 
  private:
-  const std::vector<glm::dmat4>& Joints(int skin, const GltfNodes& nodes);
-  std::vector<Part> Read(int mesh, const GltfDeformation& deformation);
+  using Joints = std::vector<std::vector<glm::dmat4>>;  // of the joints, for each moment
+  const Joints& JointsOf(int skin, const GltfNodes& nodes, std::span<const GltfMoment> moments);
+  std::vector<Part> Read(int mesh, std::span<const GltfDeformation> moments);
 
   int MaterialOf(const tinygltf::Primitive& primitive) const;
 
   GltfData& data_;
   scene::Scene& scene_;
-  std::map<int, std::vector<Part>> shared_;        // by glTF's mesh
-  std::map<int, std::vector<glm::dmat4>> joints_;  // by glTF's skin
+  std::map<int, std::vector<Part>> shared_;  // by glTF's mesh
+  std::map<int, Joints> joints_;             // by glTF's skin
   std::size_t triangles_ = 0;
   int variant_ = -1;
 };

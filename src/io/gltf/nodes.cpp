@@ -81,12 +81,18 @@ GltfNodes::GltfNodes(GltfData& data, std::optional<double> time, const std::stri
   FindVisible(FindScene(scene));
 }
 
-std::vector<glm::dmat4> GltfNodes::WorldsAt(GltfData& data, double time) const {
+GltfMoment GltfNodes::Here(double time) const {
+  GltfMoment moment{time, world_, {}};
+  for (const GltfNodeState& state : states_) moment.weights.push_back(state.weights);
+  return moment;
+}
+
+GltfMoment GltfNodes::At(GltfData& data, double time) const {
   GltfNodes moved = *this;
   moved.states_ = GltfRestStates(document_);
   Animate(data, time, moved.states_);
   moved.PlaceAll();
-  return moved.world_;
+  return moved.Here(time);
 }
 
 std::string GltfNodes::NameOf(int node) const {

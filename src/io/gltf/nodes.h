@@ -22,6 +22,13 @@ struct GltfNodeState {
   std::vector<double> weights;       // of morph targets; empty: the mesh's own
 };
 
+// The nodes at a moment: where they are in the world, and the weights of their morph targets.
+struct GltfMoment {
+  double time = 0;
+  std::vector<glm::dmat4> worlds;
+  std::vector<std::vector<double>> weights;
+};
+
 class GltfNodes {
  public:
   // Throws Error if a node is its own ancestor. `time` in seconds moves what animations
@@ -31,8 +38,9 @@ class GltfNodes {
   // The nodes of the scene to show, parents first: the default scene, else the first, else all nodes.
   const std::vector<int>& visible() const { return visible_; }
   const glm::dmat4& World(int node) const { return world_[std::size_t(node)]; }
-  // Where all nodes are at a moment.
-  std::vector<glm::dmat4> WorldsAt(GltfData& data, double time) const;
+  // All nodes as they are here, and at a moment.
+  GltfMoment Here(double time) const;
+  GltfMoment At(GltfData& data, double time) const;
   const GltfNodeState& State(int node) const { return states_[std::size_t(node)]; }
   std::string NameOf(int node) const;
   bool Exists(int node) const { return node >= 0 && std::size_t(node) < states_.size(); }

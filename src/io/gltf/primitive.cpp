@@ -84,8 +84,8 @@ bool IsReadable(const tinygltf::Primitive& primitive, GltfFindings& findings,
 }  // namespace
 
 std::optional<Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Primitive& primitive,
-                                      const GltfDeformation& deformation, std::size_t triangleLimit,
-                                      const std::string& part) {
+                                      std::span<const GltfDeformation> moments,
+                                      std::size_t triangleLimit, const std::string& part) {
   GltfFindings& findings = data.document().findings;
   if (!IsReadable(primitive, findings, part)) return {};
 
@@ -102,9 +102,7 @@ std::optional<Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Primitive&
   mesh.uvs1 = ReadUvs(attributes, "TEXCOORD_1", count);
   mesh.colors = ReadColors(attributes, count);
 
-  // Bend it
-  Morph(data, primitive, deformation.weights, mesh);
-  if (!deformation.joints.empty()) Skin(attributes, deformation.joints, mesh, findings, part);
+  Bend(data, primitive, attributes, moments, mesh, part);
 
   // Connect the vertices
   const std::vector<std::uint32_t> indices = attributes.Indices(count);

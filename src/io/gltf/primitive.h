@@ -5,6 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,17 +14,18 @@
 
 namespace snell::io {
 
-// How a mesh is bent: the weights of its morph targets, and for each joint of its skin the matrix from the
+// How a mesh is bent at a moment: the weights of its morph targets, and for each joint of its skin the matrix from the
 // mesh at rest to the world.
 struct GltfDeformation {
+  double time = 0;
   std::vector<double> weights;
   std::vector<glm::dmat4> joints;
 };
 
-// Nothing if there is nothing to show, which is noted. `triangleLimit` is how many it may have. Throws Error
+// The mesh as it is at some moments, one at least. Nothing if there is nothing to show, which is noted. `triangleLimit` is how many it may have. Throws Error
 // if indices or accessors are out of bounds.
 std::optional<scene::Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Primitive& primitive,
-                                             const GltfDeformation& deformation,
+                                             std::span<const GltfDeformation> moments,
                                              std::size_t triangleLimit, const std::string& part);
 
 // What is still to be done once triangles and attributes are there: drop triangles with undefined corners
@@ -32,11 +34,9 @@ std::optional<scene::Mesh> ReadGltfPrimitive(GltfData& data, const tinygltf::Pri
 std::optional<scene::Mesh> FinishGltfMesh(scene::Mesh mesh, GltfFindings& findings,
                                           const std::string& part);
 
-// Bend the mesh.
-void Morph(GltfData& data, const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-           scene::Mesh& mesh);
+// Bend the mesh at rest; if it changes from moment to moment, it gets keys.
 class GltfAttributes;
-void Skin(GltfAttributes& attributes, const std::vector<glm::dmat4>& joints, scene::Mesh& mesh,
-          GltfFindings& findings, const std::string& part);
+void Bend(GltfData& data, const tinygltf::Primitive& primitive, GltfAttributes& attributes,
+          std::span<const GltfDeformation> moments, scene::Mesh& mesh, const std::string& part);
 
 }  // namespace snell::io

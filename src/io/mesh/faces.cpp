@@ -193,6 +193,11 @@ Mesh MakeMesh(FaceSet faces, const MeshFile& file, std::vector<FaceRun>& runs) {
   const std::vector<Origin> vertices = JoinCorners(faces, mesh.triangles);
   mesh.positions.reserve(vertices.size());
   for (const Origin& vertex : vertices) mesh.positions.push_back(faces.positions[vertex.position]);
+  for (const std::vector<vec3>& shape : faces.shapes) {
+    mesh.keys.emplace_back();
+    for (const Origin& vertex : vertices)
+      mesh.keys.back().positions.push_back(shape[vertex.position]);
+  }
   if (!HasArea(mesh)) throw Error("no face has an area and finite coordinates", file.AtLine(0));
 
   const auto present = [](std::uint32_t index) { return index != NoIndex; };

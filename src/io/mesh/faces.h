@@ -31,6 +31,7 @@ struct FaceRun {
 struct FaceSet {
   std::string name;
   std::vector<scene::vec3> positions;
+  std::vector<std::vector<scene::vec3>> shapes;  // positions of the mesh's keys
   std::vector<scene::vec2> uvs;
   std::vector<scene::vec3> normals;  // of any length; zero or not finite counts as missing
   bool uvsGoWithPositions = false;

@@ -7,6 +7,7 @@
 
 #include "io/mesh/faces.h"
 #include "io/mesh/readers.h"
+#include "io/mesh/shapes.h"
 
 namespace snell::io {
 namespace {
@@ -29,8 +30,20 @@ scene::Mesh ReadOne(const std::filesystem::path& path, const MeshReadOptions& op
   FaceSet faces = ReadFaces(file, LowerExtension(path));
   if (faces.name.empty()) faces.name = path.stem().string();
   file.bytes = std::string();
+  for (const MeshShape& shape : options.shapes) {
+    if (shape.file == path) {
+      faces.shapes.push_back(faces.positions);
+      continue;
+    }
+    MeshFile other{shape.file.string(), ReadWithin(shape.file, options.limits), options, warn};
+    AddShape(faces, file, ReadFaces(other, LowerExtension(shape.file)), other);
+  }
 
-  return BuildMesh(std::move(faces), file);
+  scene::Mesh mesh = BuildMesh(std::move(faces), file);
+  for (std::size_t i = 0; i < options.shapes.size(); ++i)
+    mesh.keys[i].time = options.shapes[i].time;
+  CompleteKeys(mesh);
+  return mesh;
 }
 
 }  // namespace

@@ -16,6 +16,15 @@
 
 namespace snell::io {
 
+// A file whose vertices are where those of a mesh are at a moment of the scene's time, in seconds.
+struct MeshShape {
+  double time = 0;
+  std::filesystem::path file;
+  bool operator<(const MeshShape& other) const {
+    return time != other.time ? time < other.time : file < other.file;
+  }
+};
+
 struct MeshReadOptions {
   // Faces without normals in the file are smooth where they meet at no more than this angle, in degrees;
   // 0 leaves them flat.
@@ -25,6 +34,9 @@ struct MeshReadOptions {
       false;  // of an OBJ file: they count instead of the angle, where there are some
   // Folders besides the file's own where its materials and pictures may lie.
   std::vector<std::filesystem::path> folders = {};
+  // The shapes of a mesh that changes it, by rising time, two at least: files of the same faces, one of which may be the
+  // mesh's own.
+  std::vector<MeshShape> shapes = {};
   ReadLimits limits = {};
 };
 

@@ -179,5 +179,51 @@ TEST(ReadMesh, EveryCutAndEveryFlippedByteIsSurvived) {
   EXPECT_GT(sound, 0);
 }
 
+// What reading "a.obj" with a later shape gives.
+MeshResult ReadShapes(const std::string& first, const std::string& later) {
+  const TemporaryFile file("b.obj", later);
+  MeshReadOptions options;
+  options.shapes = {{1, file.path()}, {3, file.path()}};
+  MeshResult result = ReadText("a.obj", first, options);
+  const std::string folder = file.path().parent_path().string() + "/";
+  if (const std::size_t at = result.error.find(folder); at != std::string::npos)
+    result.error.erase(at, folder.size());
+  return result;
+}
+
+TEST(ReadMesh, ShapesAreCutAndSmoothedAsTheMeshIs) {
+  // Two quadrilaterals that lie flat and then fold beyond the crease angle, and whose shorter diagonals change
+  const std::string faces = "f 1 2 5 4\nf 2 3 6 5\n";
+  const MeshResult result =
+      ReadShapes("v 0 0 0\nv 2 0 0\nv 4 0 0\nv 0.5 1 0\nv 2.1 1 0\nv 4 1 0\n" + faces,
+                 "v 0 0 2\nv 2 0 0\nv 4 0 2\nv -0.5 1 2\nv 1.9 1 0\nv 4 1 2\n" + faces);
+  ASSERT_EQ(result.error, "");
+  const scene::Mesh& mesh = result.mesh;
+  EXPECT_EQ(mesh.positions.size(), 6u);
+  EXPECT_EQ(mesh.time, 1);
+  ASSERT_EQ(mesh.keys.size(), 1u);
+  EXPECT_EQ(mesh.keys[0].time, 3);
+  EXPECT_EQ(mesh.keys[0].positions, mesh.positions) << "both keys are of the later file";
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    // Where the faces meet the normals point up, elsewhere across them
+    const scene::vec3 p = mesh.positions[i], n = mesh.normals[i];
+    EXPECT_GT(n.z, p.z == 0 ? 0.9f : 0.6f);
+    EXPECT_EQ(n.x > 0.5f, p.x < 1 && p.z > 0);
+  }
+}
+
+TEST(ReadMesh, ShapesOfOtherMeshesAreRefused) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const std::string mesh = vertices + "f 1 2 3\nf 1 3 4\n";
+  const std::string start = "b.obj: its shape is no other one of 'a.obj': ";
+  const std::string hint = "; files of one mesh have the same faces in the same order";
+  EXPECT_EQ(ReadShapes(mesh, vertices + "f 1 2 3\n").error,
+            start + "it has 4 vertices and 1 face, that one 4 and 2" + hint);
+  EXPECT_EQ(ReadShapes(mesh, vertices + "f 1 2 3\nf 1 4 3\n").error,
+            start + "its faces connect other vertices" + hint);
+  EXPECT_EQ(ReadShapes(mesh, "v 1e30 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n").error,
+            start + "its vertex 1 is infinite, huge or undefined" + hint);
+}
+
 }  // namespace
 }  // namespace snell::io

@@ -41,6 +41,9 @@ Mesh CopyVertices(const Mesh& mesh, std::span<const std::uint32_t> vertices) {
   copy.uvs1 = Copy(mesh.uvs1, vertices);
   copy.tangents = Copy(mesh.tangents, vertices);
   copy.colors = Copy(mesh.colors, vertices);
+  for (const scene::MeshKey& key : mesh.keys)
+    copy.keys.push_back({key.time, Copy(key.positions, vertices), Copy(key.normals, vertices),
+                         Copy(key.tangents, vertices)});
   return copy;
 }
 
@@ -51,6 +54,11 @@ void AppendVertices(Mesh& mesh, const Mesh& other) {
   Append(mesh.uvs1, other.uvs1);
   Append(mesh.tangents, other.tangents);
   Append(mesh.colors, other.colors);
+  for (std::size_t i = 0; i < mesh.keys.size(); ++i) {
+    Append(mesh.keys[i].positions, other.keys[i].positions);
+    Append(mesh.keys[i].normals, other.keys[i].normals);
+    Append(mesh.keys[i].tangents, other.keys[i].tangents);
+  }
 }
 
 TriangleExtractor::TriangleExtractor(const Mesh& mesh)

@@ -238,5 +238,35 @@ TEST(TomlLimits, HoldForBytesThatAreNoText) {
   EXPECT_EQ(TestScene(std::string("[render]\n\0spp = 1\n", 17)).Errors().size(), 1u);
 }
 
+TEST(TomlDeformation, MistakesHavePlaces) {
+  const std::string object = "[[object]]\nfile = \"a.obj\"\n";
+  const std::string inlined =
+      "[[object]]\nmesh = { positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] "
+      "}\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {object + "deformation = [{ time = 0 }, { time = 0, file = \"b.obj\" }]\n",
+       "scene.toml:3:15: the times of 'deformation' do not rise in [[object]] (file)"},
+      {object + "deformation = [{ time = 0 }, { time = 1, file = \"b.obj\" }]\n",
+       "scene.toml:2:8: cannot use the mesh b.obj: its shape is no other one of 'a.obj': it has 4 "
+       "vertices and 1 face, that one 3 and 1; files of one mesh have the same faces in the same "
+       "order"},
+      {object +
+           "deformation = [{ time = 0 }, { time = 1, positions = [[0, 0, 0], [1, 0, 0], [0, 1, "
+           "0]] }]\n",
+       "scene.toml:3:15: 'deformation': 'positions' are for meshes that are written in the scene"},
+      {inlined + "deformation = [{ time = 0 }, { time = 1, file = \"a.obj\" }]\n",
+       "scene.toml:3:15: 'deformation': a 'file' is for objects that are files"},
+      {inlined +
+           "deformation = [{ time = 0 }, { time = 1, positions = [[0, 0, 0], [1, 0, 0], [0, 1, "
+           "0], [1, 1, 1]] }]\n",
+       "scene.toml:3:15: 'deformation': expected one for each of the 3 positions, found 4"}};
+  for (const auto& [text, error] : cases) {
+    TestScene scene(text);
+    scene.Write("a.obj", Triangle);
+    scene.Write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n");
+    EXPECT_EQ(scene.Errors(), Lines{error});
+  }
+}
+
 }  // namespace
 }  // namespace snell::io

@@ -19,16 +19,18 @@ int MeshLibrary::Add(scene::Mesh mesh) {
 }
 
 int MeshLibrary::Request(const std::filesystem::path& path, std::optional<float> smooth,
-                         bool ignoreNormals, const Place& place) {
+                         bool ignoreNormals, const std::vector<MeshShape>& shapes,
+                         const Place& place) {
   std::error_code ignored;
   const auto real = std::filesystem::weakly_canonical(path, ignored);
-  const auto key = std::tuple(real.string(), smooth.value_or(-1), ignoreNormals);
+  const auto key = std::tuple(real.string(), smooth.value_or(-1), ignoreNormals, shapes);
   const auto [request, isNew] = requests_.emplace(key, int(items_.size()));
   if (isNew) {
     Item item;
     item.path = path;
     item.smooth = smooth;
     item.ignoreNormals = ignoreNormals;
+    item.shapes = shapes;
     item.place = place;
     files_.push_back(int(items_.size()));
     items_.push_back(std::move(item));
@@ -42,6 +44,7 @@ void MeshLibrary::LoadFile(Item& item, const ReadLimits& limits) {
   if (item.smooth) options.smoothDegrees = *item.smooth;
   options.smoothingGroups = !item.smooth;
   options.ignoreFileNormals = item.ignoreNormals;
+  options.shapes = item.shapes;
   try {
     item.meshes = ReadMesh(item.path, options,
                            [&](const Diagnostic& warning) { item.warnings.push_back(warning); });

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "io/mesh/read_mesh.h"
 #include "io/read_limits.h"
 #include "scene/scene.h"
 #include "util/error.h"
@@ -24,9 +25,9 @@ class MeshLibrary {
   int Add(scene::Mesh mesh);
 
   // A file to load; without `smooth`, an angle in degrees, smoothing groups count first. `place` is where it is
-  // named first. Returns the file's number in the library.
+  // named first; `shapes` as in MeshReadOptions. Returns the file's number in the library.
   int Request(const std::filesystem::path& path, std::optional<float> smooth, bool ignoreNormals,
-              const Place& place);
+              const std::vector<MeshShape>& shapes, const Place& place);
 
   // Load all files and move all meshes to `meshes`. Returns what went wrong, at the places of the requests.
   std::vector<Diagnostic> Load(std::vector<scene::Mesh>& meshes, const ReadLimits& limits,
@@ -44,6 +45,7 @@ class MeshLibrary {
     std::filesystem::path path;
     std::optional<float> smooth;
     bool ignoreNormals = false;
+    std::vector<MeshShape> shapes;
     Place place;
     std::vector<scene::Mesh> meshes;
     std::vector<Diagnostic> errors;
@@ -55,7 +57,7 @@ class MeshLibrary {
 
   std::vector<Item> items_;
   std::vector<int> files_;  // the items that are to be loaded
-  std::map<std::tuple<std::string, float, bool>, int> requests_;
+  std::map<std::tuple<std::string, float, bool, std::vector<MeshShape>>, int> requests_;
 };
 
 }  // namespace snell::io

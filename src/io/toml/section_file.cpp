@@ -36,22 +36,24 @@ void CheckKeys(Reader& reader, const Fields& fields, Role role) {
         reader.Report(fmt::format("'{}' is for {}", key, files), fields.PlaceOf(key));
   };
   if (role != Role::Gltf) refuse({"scene", "variant", "time", "duration"}, "glTF files");
-  if (role == Role::Gltf || role == Role::Scene) refuse({"smooth", "ignore_normals"}, "mesh files");
+  if (role == Role::Gltf || role == Role::Scene)
+    refuse({"smooth", "ignore_normals", "deformation"}, "mesh files");
   if (role == Role::Mesh) refuse({"materials"}, "files with materials");
   if (role == Role::Mesh || role == Role::ObjMesh)
     refuse({"lights", "light_scale", "cameras"}, "files with lights and cameras");
 }
 
 // A mesh without materials of its own is one object; what has them is taken in as a whole. So is an OBJ file,
-// unless one material replaces all: then it stays one body.
+// unless one material replaces all, or its shape changes: then it stays one body.
 void FinishFile(Reader& reader, const Fields& fields, ObjectDraft& draft) {
   const Role role = RoleOf(draft.file);
   CheckKeys(reader, fields, role);
   const Place place = fields.PlaceOf("file");
   const bool oneMaterial = draft.object.material >= 0 && draft.included.materials.empty();
-  if (role == Role::Mesh || (role == Role::ObjMesh && oneMaterial))
-    draft.meshes = reader.meshes.Request(draft.file, draft.fileOptions.smooth,
-                                         draft.fileOptions.ignoreNormals, place);
+  if (role == Role::Mesh || (role == Role::ObjMesh && (oneMaterial || !draft.deformation.empty())))
+    draft.meshes =
+        reader.meshes.Request(draft.file, draft.fileOptions.smooth, draft.fileOptions.ignoreNormals,
+                              ShapesOfFile(reader, fields, draft), place);
   else
     draft.included.number = reader.inclusions.Request(draft.file, draft.fileOptions, place);
 }
@@ -149,11 +151,11 @@ VariantOf<ObjectDraft> FileVariant() {
       Option("time", &ReadOptions::time, Seconds(Any),
              "glTF: the moment of the animations to show.")
           .Standard("by the command line, else all is at rest"),
-      Option(
-          "duration", &ReadOptions::duration, Seconds(NotNegative),
-          "glTF: for so long from `time` on, animated nodes move; for a camera whose `shutter` is "
-          "open then. Skins and morphs stay as they are at `time`.")
+      Option("duration", &ReadOptions::duration, Seconds(NotNegative),
+             "glTF: for so long from `time` on, animated nodes move, and skins and morphs bend "
+             "meshes; for a camera whose `shutter` is open then.")
           .Standard("0: nothing moves"),
+      DeformationKey("file = \"bunny-2.ply\""),
       SubdivisionKey()};
   return VariantOf<ObjectDraft>(
              "file",

@@ -9,6 +9,7 @@
 
 #include "io/mesh/normals.h"
 #include "io/mesh/polygon.h"
+#include "io/mesh/shapes.h"
 #include "io/toml/sections.h"
 
 namespace snell::io {
@@ -76,8 +77,9 @@ void CheckTriangle(Reader& reader, const Fields& fields, MeshDraft& mesh) {
 
 // --- Building -----------------------------------------------------------------------------------------------
 
-scene::Mesh BuildMesh(const MeshDraft& draft) {
+scene::Mesh BuildMesh(const MeshDraft& draft, std::vector<scene::MeshKey> keys) {
   scene::Mesh mesh;
+  mesh.keys = std::move(keys);
   mesh.positions = draft.positions;
   mesh.normals = draft.normals;
   mesh.uvs = draft.uvs;
@@ -104,6 +106,7 @@ scene::Mesh BuildMesh(const MeshDraft& draft) {
     if (crease.vertices.size() == 1) mesh.creases.push_back({place(0), place(0), crease.sharpness});
   }
   if (mesh.normals.empty()) SmoothNormals(mesh, draft.smooth);
+  CompleteKeys(mesh);
   return mesh;
 }
 

@@ -14,7 +14,9 @@ using scene::Object;
 // --- Checks -------------------------------------------------------------------------------------------------
 
 static void FinishInlineMesh(Reader& reader, const Fields& fields, ObjectDraft& draft) {
-  scene::Mesh mesh = BuildMesh(draft.mesh);
+  std::vector<scene::MeshKey> keys;
+  AddInlineKeys(reader, fields, draft, keys);
+  scene::Mesh mesh = BuildMesh(draft.mesh, std::move(keys));
   if (!HasArea(mesh)) reader.Report("no face of the mesh has an area", fields.PlaceOf("mesh"));
   draft.meshes = reader.meshes.Add(std::move(mesh));
 }
@@ -89,10 +91,12 @@ static VariantOf<ObjectDraft> MeshVariant() {
       Field("mesh", &ObjectDraft::mesh, InlineMesh(), "The mesh.")
           .Required()
           .Example("{ positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }");
-  return VariantOf<ObjectDraft>("mesh",
-                                "Triangles written in the scene: an inline table, or one of its "
-                                "own under `[object.mesh]`.",
-                                {mesh, SubdivisionKey()})
+  return VariantOf<ObjectDraft>(
+             "mesh",
+             "Triangles written in the scene: an inline table, or one of its "
+             "own under `[object.mesh]`.",
+             {mesh, DeformationKey("positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0.5]]"),
+              SubdivisionKey()})
       .ByPresence()
       .Checked(FinishInlineMesh);
 }

@@ -195,12 +195,12 @@ const SectionOf<GroupDraft>& GroupSection() {
 
 const std::vector<const Section*>& AllSections() {
   static const std::vector<const Section*> sections = {
-      &FileSection(),     &RenderSection(),        &CameraSection(),   &EnvironmentSection(),
-      &SkySection(),      &LightSection(),         &ObjectSection(),   &MeshSection(),
-      &GroupSection(),    &TransformStepSection(), &RotationSection(), &LookAtSection(),
-      &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),   &DisplacementSection(),
-      &TermSection(),     &MediumSection(),        &TextureSection(),  &TintSection(),
-      &ChannelSection(),  &MotionKeySection(),     &CameraKeySection()};
+      &FileSection(),     &RenderSection(),        &CameraSection(),    &EnvironmentSection(),
+      &SkySection(),      &LightSection(),         &ObjectSection(),    &MeshSection(),
+      &GroupSection(),    &TransformStepSection(), &RotationSection(),  &LookAtSection(),
+      &MaterialSection(), &SubdivisionSection(),   &CreaseSection(),    &DisplacementSection(),
+      &TermSection(),     &MediumSection(),        &TextureSection(),   &TintSection(),
+      &ChannelSection(),  &MotionKeySection(),     &CameraKeySection(), &ShapeKeySection()};
   return sections;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/read_mesh.h"
 #include "io/toml/table.h"
 #include "scene/scene.h"
 #include "scene/sky/sky.h"
@@ -94,6 +95,24 @@ Keys<CameraDraft> CameraMotionKeys();
 // Turn the drafts' keys into motion, when all else of the tables is known.
 void FinishMotion(Reader& reader, const Fields& fields, ObjectDraft& draft);
 void FinishCameraMotion(Reader& reader, const Fields& fields, CameraDraft& draft);
+
+// --- Deformation (section_deformation.cpp) -------------------------------------------------------------------
+
+// The shape of a mesh at a moment; what is not given is the object's own.
+struct ShapeKeyDraft {
+  float time = 0;
+  std::filesystem::path file;
+  std::vector<vec3> positions;
+};
+
+const SectionOf<ShapeKeyDraft>& ShapeKeySection();
+// `later` is an example of a key's shape.
+KeyOf<ObjectDraft> DeformationKey(const std::string& later);
+
+// The shapes of an object that is a file or a mesh. They report mistakes and then give none.
+std::vector<MeshShape> ShapesOfFile(Reader& reader, const Fields& fields, const ObjectDraft& draft);
+void AddInlineKeys(Reader& reader, const Fields& fields, const ObjectDraft& draft,
+                   std::vector<scene::MeshKey>& keys);
 
 // --- Textures and materials (toml_section_texture.cpp, toml_section_material.cpp, toml_materials.cpp) -------
 
@@ -238,6 +257,7 @@ struct ObjectDraft {
   scene::Object object;
   Placement placement;
   std::vector<MotionKeyDraft> motion;
+  std::vector<ShapeKeyDraft> deformation;
   MeshDraft mesh;
   std::filesystem::path file;
   ReadOptions fileOptions;
@@ -258,8 +278,8 @@ void CheckTriangle(Reader& reader, const Fields& fields, MeshDraft& mesh);
 // not have.
 void ReplaceMaterials(Reader& reader, IncludedFile& file);
 
-// The mesh of a draft that has passed its checks.
-scene::Mesh BuildMesh(const MeshDraft& draft);
+// The mesh of a draft that has passed its checks; keys have times and positions, one for each of the draft's.
+scene::Mesh BuildMesh(const MeshDraft& draft, std::vector<scene::MeshKey> keys = {});
 
 // --- Cameras (toml_section_camera.cpp) ----------------------------------------------------------------------
 

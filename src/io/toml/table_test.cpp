@@ -36,6 +36,7 @@ const std::map<std::string, std::string> Frames = {
     {"displacement", "[material.m]\ndisplacement = { $ }"},
     {"term", "[material.m]\nterms = [{ $ }]"},
     {"texture", "[texture.t]\n$"},
+    {"shape_key", "[[object]]\nfile = \"bunny.ply\"\ndeformation = [{ $ }, { time = 2 }]"},
     {"motion_key", "[[object]]\nshape = \"box\"\nmotion = [{ $ }, { time = 2 }]"},
     {"camera_key", "[camera]\nmotion = [{ $ }, { time = 2 }]"},
     {"medium", "[environment]\nmedium = { $ }"},
@@ -99,6 +100,11 @@ std::string FileWith(const Case& one, const std::string& name, const std::string
   keys[name] = value;
 
   std::string file = Frames.at(one.section->name);
+  // Files have no positions of a mesh that is written in the scene
+  if (one.section->name == "shape_key" && name == "positions")
+    file.replace(
+        file.find("file = \"bunny.ply\""), 18,
+        "mesh = { positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }");
   const bool isInline = file.find("{ $ }") != std::string::npos;
   std::string text;
   for (const auto& [key, toml] : keys)
@@ -126,6 +132,7 @@ std::vector<std::string> ErrorsOf(const std::string& text) {
   if (text.find("bricks.png") != std::string::npos) scene.Write("bricks.png", OnePixel);
   if (text.find("sky.hdr") != std::string::npos) scene.Write("sky.hdr", OnePixel);
   if (text.find("bunny.ply") != std::string::npos) scene.Write("bunny.ply", Bunny);
+  if (text.find("bunny-2.ply") != std::string::npos) scene.Write("bunny-2.ply", Bunny);
   if (text.find("chair.gltf") != std::string::npos) scene.Write("chair.gltf", Chair);
   if (text.find("lamp.ies") != std::string::npos) scene.Write("lamp.ies", Lamp);
   if (text.find("cloud.nvdb") != std::string::npos) scene.Write("cloud.nvdb", ReadFile(SNELL_GRID));
