@@ -157,7 +157,7 @@ void Recorder::Survives(float chance, bool survives) {
 }
 
 void Recorder::Divides(const Shares& shares, float) {
-  if (!Current().surface) return;
+  if (IsBlack(shares.reflection) && IsBlack(shares.refraction)) return;
   const auto mean = [](Spectrum s) { return Share(MeanChannel(s)); };
   Note(fmt::format("of the light, its own colour sends {}, reflection {}, refraction {}",
                    mean(shares.own), mean(shares.reflection), mean(shares.refraction)));

@@ -65,9 +65,11 @@ void Draw(const std::vector<Line>& lines, const View& view, double left, std::st
   }
   const double size = std::max({high.x - low.x, high.y - low.y, 1e-9});
   const double scale = (Panel - 2 * Margin) / size;
+  const Point middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const auto place = [&](const kernel::vec3& v) {
     const Point p = project(v);
-    return Point{left + Margin + (p.x - low.x) * scale, Head + Margin + (p.y - low.y) * scale};
+    return Point{left + Panel / 2 + (p.x - middle.x) * scale,
+                 Head + Panel / 2 + (p.y - middle.y) * scale};
   };
 
   svg += fmt::format(
