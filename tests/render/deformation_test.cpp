@@ -91,12 +91,14 @@ TEST(Deformation, IsTheMeanOfManyMoments) {
       "deformation = [{ time = 0 }, { time = 1, positions = [[-1, 0.9, 0.5], [0, 0.3, 0.7], [1, "
       "0.9, 0.5], [-1.2, 0.4, -0.5], [0, 0.5, -0.5], [1.3, 0.4, -0.5]] }]\n";
   constexpr int Moments = 32;
-  const Picture blurred = PictureOf(Roof("shutter = [0, 1]", keys));
+  std::string whole = Roof("shutter = [0, 1]", keys);
+  whole.replace(whole.find("spp = 256"), 9, "spp = 1024");
+  const Picture blurred = PictureOf(whole);
   Picture mean = blurred;
   std::fill(mean.rgb.begin(), mean.rgb.end(), 0.0f);
   for (int i = 0; i < Moments; ++i) {
     std::string scene = Roof(fmt::format("shutter = [{0}, {0}]", (i + 0.5) / Moments), keys);
-    scene.replace(scene.find("spp = 256"), 9, "spp = 16");
+    scene.replace(scene.find("spp = 256"), 9, "spp = 32");
     const Picture moment = PictureOf(scene);
     for (std::size_t k = 0; k < mean.rgb.size(); ++k) mean.rgb[k] += moment.rgb[k] / Moments;
   }
