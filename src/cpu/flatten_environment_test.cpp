@@ -183,5 +183,17 @@ TEST(MapLe, ShowsEachTexelWhereItBelongs) {
   EXPECT_NEAR(Bind(turned).MapLe(at(eighth, low), pdf).x, 8 + 6, 1e-3f);
 }
 
+// At its very beginning, where the density may be 0, too.
+TEST(FlattenEnvironment, LinearDensitiesAreSampledEverywhere) {
+  for (const float a : {0.0f, 1e-20f, 1.0f}) {
+    for (const float b : {0.0f, 1e-20f, 1.0f}) {
+      for (const float u : {0.0f, 1e-30f, 0.5f, 0.99999994f}) {
+        const float x = kernel::SampleLinear(u, a, b);
+        EXPECT_TRUE(x >= 0 && x <= 1) << u << " " << a << " " << b << ": " << x;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace snell::cpu

@@ -44,7 +44,7 @@ FN float MapWeight(Spectrum texel, float dull) { return Max(MaxChannel(texel) - 
 // A number from 0 to 1 by the density that goes linearly from a to b, up to a factor.
 FN float SampleLinear(float u, float a, float b) {
   float larger = Max(a, b);
-  if (larger <= 0.0f) return u;
+  if (larger <= 0.0f || u <= 0.0f) return u;
   float from = a / larger;
   float to = b / larger;
   return Min(u * (from + to) / (from + sqrt(Lerp(u, from * from, to * to))), 1.0f);

@@ -123,7 +123,8 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
     s.lastPoint = v.above;
     s.lastNormal = VertexFacing(v);
   }
-  if (next.isSpecular == 0u) s.spread = 1u;
+  bool isSpecular = next.isSpecular == 1u;
+  if (!isSpecular) s.spread = 1u;
   if (through) {
     s.rays.refracted += 1u;
     s.transmissionDepth += 1u;
@@ -132,7 +133,7 @@ SCENE_FN void PathReflect(INOUT(PathState) s, IN(PathVertex) v) {
     s.diffuseDepth += next.isDiffuse;
     s.specularDepth += 1u - next.isDiffuse;
   }
-  PathRoulette(s);
+  PathRoulette(s, isSpecular);
 }
 
 // The vertex where the path gets out of the body below whose surface it has wandered, evenly to all sides.

@@ -7,15 +7,17 @@
 #define SNELL_KERNEL_PATH_MEDIUM_H
 
 // End the path by chance if it can add little. Going by the root of what it can add costs more rays and less noise than
-// going by itself.
-SCENE_FN void PathRoulette(INOUT(PathState) s) {
+// going by itself. At mirrors and clear glass, which take little, nothing is decided once more as long as the path counts:
+// that would drive rare paths to weights as large as those of short ones.
+SCENE_FN void PathRoulette(INOUT(PathState) s, bool isSpecular) {
   float most = MaxChannel(s.beta) * s.etaScale;
   s.alive = most > 0.0f ? 1u : 0u;
-  if (s.depth + s.scatterings <= RouletteDepth || most >= 0.95f) {
+  float survival = Max(RouletteEase * sqrt(most), 0.05f);
+  if (s.depth + s.scatterings <= RouletteDepth || (isSpecular && most >= 0.1f) ||
+      survival >= 1.0f) {
     PathSkip2D(s);
     return;
   }
-  float survival = Max(sqrt(most), 0.05f);
   if (PathSample2D(s).x >= survival) s.alive = 0u;
   s.beta = s.beta * (1.0f / survival);
   TELL(Survives(survival, s.alive == 1u));
@@ -129,7 +131,7 @@ SCENE_FN void PathScatter(INOUT(PathState) s, IN(PathVertex) v) {
   s.lastNormal = VertexFacing(v);
   s.rays.reflected += 1u;
   s.spread = 1u;
-  PathRoulette(s);
+  PathRoulette(s, false);
 }
 
 #endif

@@ -10,6 +10,8 @@ KERNEL_BEGIN
 
 // Paths of fewer vertices than this are not ended by chance.
 CONST uint RouletteDepth = 4u;
+// How many times as likely as the root of what they can add others go on.
+CONST float RouletteEase = 1.2f;
 // Open surfaces that a ray may pass between two vertices.
 CONST uint MaxPasses = 1024u;
 // Bricks of a grid and possible collisions in it that one flight may go through.
