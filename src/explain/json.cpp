@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// An explanation as data, with all digits.
 #include "util/json.h"
 
 #include "explain/explanation.h"
