@@ -146,7 +146,7 @@ void CollectText(const PngReader& reader, Metadata& metadata) {
   int count = 0;
   png_get_text(reader.png, reader.info, &entries, &count);
   for (int i = 0; i < count; ++i) {
-    if (!entries[i].text) continue;
+    if (!entries[i].text || !entries[i].key || !*entries[i].key) continue;
     const bool utf8 = entries[i].compression >= PNG_ITXT_COMPRESSION_NONE;
     metadata.emplace_back(Latin1ToUtf8(entries[i].key),
                           utf8 ? entries[i].text : Latin1ToUtf8(entries[i].text));
