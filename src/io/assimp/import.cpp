@@ -70,6 +70,7 @@ class Import {
     }
     if (result_.scene) return "";
     const std::string fault = importer.GetErrorString();
+    if (fault.find("bad_alloc") != fault.npos) return "reading it takes too much memory";
     return fault.empty() ? "reading it failed" : fault;
   }
 
