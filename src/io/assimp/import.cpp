@@ -20,6 +20,12 @@
 namespace snell::io {
 namespace {
 
+// What the library says of a failure.
+std::string InWords(const std::string& fault) {
+  if (fault.find("bad_alloc") != fault.npos) return "reading it takes too much memory";
+  return fault.empty() ? "reading it failed" : fault;
+}
+
 constexpr std::uint64_t LeastMemory = std::uint64_t(4) << 30;
 constexpr std::uint64_t MemoryPerByte = 100;
 constexpr int LeastSeconds = 20;
@@ -66,12 +72,9 @@ class Import {
     try {
       result_.scene = importer.ReadFile(path_.string(), steps);
     } catch (const std::exception& error) {
-      return error.what();
+      return InWords(error.what());
     }
-    if (result_.scene) return "";
-    const std::string fault = importer.GetErrorString();
-    if (fault.find("bad_alloc") != fault.npos) return "reading it takes too much memory";
-    return fault.empty() ? "reading it failed" : fault;
+    return result_.scene ? "" : InWords(importer.GetErrorString());
   }
 
   TrialLimits Limits() const {
