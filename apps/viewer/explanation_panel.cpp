@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "viewer/explanation_tree.h"
 #include "viewer/panels.h"
 
@@ -32,9 +34,12 @@ std::size_t DrawBelow(const std::vector<ExplanationLine>& lines, std::size_t at,
     }
     bool isOpen = false;
     if (visible) {
+      // Where the ray goes stands below its name
+      const std::size_t way = std::min(line.text.find(" from ("), line.text.size());
       ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-      isOpen = ImGui::TreeNode(reinterpret_cast<const void*>(at + 1), "%s", line.text.c_str());
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", line.text.c_str());
+      isOpen = ImGui::TreeNode(reinterpret_cast<const void*>(at + 1), "%s",
+                               line.text.substr(0, way).c_str());
+      if (isOpen && way < line.text.size()) DrawLine(line.text.substr(way + 1), 0);
     }
     at = DrawBelow(lines, at + 1, line.depth, isOpen);
     if (isOpen) ImGui::TreePop();

@@ -110,6 +110,7 @@ void Input::HandleMouse(Viewer& viewer, const Interface& interface) {
   if (isOver && (io.MouseClicked[0] || io.MouseClicked[1] || io.MouseClicked[2])) {
     dragging_ = true;
     way_ = 0;
+    return;
   }
   if (!dragging_) return;
   const ImVec2 step = io.MouseDelta;

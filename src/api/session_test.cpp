@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "api/render.h"
@@ -51,7 +52,9 @@ TEST_P(Sessions, ShowWhatARenderGives) {
   EXPECT_EQ(picture.picture.rgb, Render(scene, options).picture.rgb);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].picture.width < 64, before[i].samples == 0);
-    if (i > 0) EXPECT_LT(before[i - 1].samples, before[i].samples);
+    if (i > 0) {
+      EXPECT_LT(before[i - 1].samples, before[i].samples);
+    }
   }
 }
 
