@@ -20,10 +20,6 @@ constexpr double KeyTurn = 0.1;      // radians
 constexpr double FlySpeed = 0.8;     // distances in a second
 constexpr float ExposureStep = 0.25f;
 
-bool IsPlain(const Window& window) {
-  return !window.IsHeld(GLFW_KEY_LEFT_CONTROL) && !window.IsHeld(GLFW_KEY_RIGHT_CONTROL);
-}
-
 // The camera of the file with this number, from 1.
 void ChooseCamera(Viewer& viewer, std::size_t number) {
   const std::vector<std::string> cameras = viewer.cameras();
@@ -93,7 +89,7 @@ void Input::Handle(Window& window, Viewer& viewer, Interface& interface, double 
   const std::vector<KeyPress> keys = window.TakeKeys();
   if (!ImGui::GetIO().WantTextInput) {
     for (const KeyPress& press : keys) Press(press, window, viewer, interface);
-    if (IsPlain(window)) HandleHeldKeys(window, viewer, seconds);
+    Fly(window, viewer, seconds);
   }
   HandleMouse(viewer, interface);
 }
@@ -134,16 +130,19 @@ void Input::HandleMouse(Viewer& viewer, const Interface& interface) {
     viewer.SetView(Look(view, right * TurnPerWindow / 2, up * TurnPerWindow / 2));
 }
 
-void Input::HandleHeldKeys(const Window& window, Viewer& viewer, double seconds) {
+// With the keys that are still held, unless they went down for something else.
+void Input::Fly(const Window& window, Viewer& viewer, double seconds) {
+  std::erase_if(flying_, [&](int key) { return !window.IsHeld(key); });
   const auto axis = [&](int plus, int minus) {
-    return double(window.IsHeld(plus)) - double(window.IsHeld(minus));
+    return double(std::ranges::count(flying_, plus)) - double(std::ranges::count(flying_, minus));
   };
-  const double right = axis(GLFW_KEY_D, GLFW_KEY_A), up = axis(GLFW_KEY_E, GLFW_KEY_Q),
-               forward = axis(GLFW_KEY_W, GLFW_KEY_S);
+  const double right = std::clamp(axis(GLFW_KEY_D, GLFW_KEY_A), -1.0, 1.0);
+  const double up = std::clamp(axis(GLFW_KEY_E, GLFW_KEY_Q), -1.0, 1.0);
+  const double forward = std::clamp(axis(GLFW_KEY_W, GLFW_KEY_S), -1.0, 1.0);
   if (right == 0 && up == 0 && forward == 0) return;
   const bool isFast = window.IsHeld(GLFW_KEY_LEFT_SHIFT) || window.IsHeld(GLFW_KEY_RIGHT_SHIFT);
   const double way = FlySpeed * (isFast ? 4 : 1) * std::min(seconds, 0.1);
-  viewer.SetView(Fly(viewer.view(), right * way, up * way, forward * way));
+  viewer.SetView(viewer::Fly(viewer.view(), right * way, up * way, forward * way));
 }
 
 // At the mouse, or in the middle if that is elsewhere.
@@ -171,6 +170,14 @@ void Input::Press(const KeyPress& press, Window& window, Viewer& viewer, Interfa
     case GLFW_KEY_RIGHT:
     case GLFW_KEY_UP:
     case GLFW_KEY_DOWN: return PressArrow(press, viewer);
+    case GLFW_KEY_W:
+    case GLFW_KEY_A:
+    case GLFW_KEY_S:
+    case GLFW_KEY_D:
+    case GLFW_KEY_Q:
+    case GLFW_KEY_E:
+      if (std::ranges::count(flying_, press.key) == 0) flying_.push_back(press.key);
+      return;
     case GLFW_KEY_HOME: return viewer.ResetView();
     case GLFW_KEY_F5: return viewer.Reload();
     case GLFW_KEY_F1: interface.showsHelp = !interface.showsHelp; return;

@@ -19,13 +19,14 @@ class Input {
 
  private:
   void HandleMouse(Viewer& viewer, const Interface& interface);
-  void HandleHeldKeys(const Window& window, Viewer& viewer, double seconds);
+  void Fly(const Window& window, Viewer& viewer, double seconds);
   void Press(const KeyPress& press, Window& window, Viewer& viewer, Interface& interface);
   void Type(char32_t character, Viewer& viewer, Interface& interface);
   void AskOrFocus(Viewer& viewer, const Interface& interface, bool focuses) const;
 
-  bool dragging_ = false;  // began on the picture
-  float way_ = 0;          // that the mouse went since the button went down
+  std::vector<int> flying_;  // keys
+  bool dragging_ = false;    // began on the picture
+  float way_ = 0;            // that the mouse went since the button went down
 };
 
 // Keys and what they do, for the help sheet.
