@@ -14,8 +14,10 @@ set -euo pipefail
 program_packages=(g++ cmake ninja-build glslc spirv-tools libtbb-dev libglm-dev libfmt-dev
   libtomlplusplus-dev libcli11-dev libopenexr-dev libpng-dev libjpeg-dev libwebp-dev
   libtinyobjloader-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev
-  libosd-dev libassimp-dev libnanovdb-dev libvulkan-dev zlib1g-dev)
-test_packages=(libgtest-dev libembree-dev mesa-vulkan-drivers clang libclang-rt-dev)
+  libosd-dev libassimp-dev libnanovdb-dev libvulkan-dev zlib1g-dev libglfw3-dev libimgui-dev
+  fonts-dejavu-core)
+test_packages=(libgtest-dev libembree-dev mesa-vulkan-drivers clang libclang-rt-dev xvfb
+  xdotool libgl1-mesa-dri)
 
 # Print the packages' names for other systems, where nothing is installed.
 suggest_packages() {
@@ -37,7 +39,9 @@ snell: without apt, please install what is missing of these packages by hand:
               and from their sources: tinyobjloader tinygltf
             for the tests: googletest vulkan-loader molten-vk
   Embree 3 (not 4), where there is a package, adds the benchmark of rays; clang with its runtime
-  (Fedora: clang compiler-rt; Arch: clang compiler-rt; Homebrew: llvm) adds the fuzzers.
+  (Fedora: clang compiler-rt; Arch: clang compiler-rt; Homebrew: llvm) adds the fuzzers. GLFW and Dear
+  ImGui add 'snell view' (Fedora: glfw-devel imgui-devel; Arch: glfw imgui; Homebrew: glfw imgui), Xvfb
+  and xdotool its test.
 END
 }
 
@@ -157,7 +161,7 @@ show_progress() {
 }
 
 build() {
-  local target=apps/cli/snell jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(count_jobs)}
+  local target=snell_programs jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(count_jobs)}
   if ((tests)); then target=all; fi
   say "building ($preset, $jobs jobs)"
 

@@ -13,6 +13,7 @@ void AddInfoCommand(Program& program);
 void AddCheckCommand(Program& program);
 void AddCompareCommand(Program& program);
 void AddExplainCommand(Program& program);
+void AddViewCommand(Program& program);
 void AddReferenceCommand(Program& program);
 void AddSelftestCommand(Program& program);
 void AddDevicesCommand(Program& program);

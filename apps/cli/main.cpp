@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   // Scenes
   AddInfoCommand(program);       // what is in one
   AddExplainCommand(program);    // how its pixels come about
+  AddViewCommand(program);       // a window that shows one
   AddCheckCommand(program);      // whether files are right
   AddReferenceCommand(program);  // the language that they are written in
 

@@ -10,6 +10,14 @@
 
 namespace snell {
 
+std::vector<std::string> Scene::cameras() const {
+  std::vector<std::string> names;
+  for (const scene::Camera& camera : contents_->cameras) {
+    if (!camera.name.empty()) names.push_back(camera.name);
+  }
+  return names;
+}
+
 float Scene::exposure() const { return contents_->settings.exposure; }
 
 std::string Scene::view() const {

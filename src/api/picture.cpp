@@ -5,10 +5,13 @@
 #include <fmt/ranges.h>
 
 #include "api/film_picture.h"
+#include "image/codec.h"
+#include "image/color.h"
 #include "image/compare.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "util/check.h"
+#include "util/threads.h"
 
 namespace snell {
 
@@ -37,6 +40,21 @@ static image::WriteOptions ToWriteOptions(const PictureOptions& options) {
   write.jpegQuality = options.jpegQuality;
   write.metadata = options.metadata;
   return write;
+}
+
+std::vector<std::uint8_t> DisplayBytes(const Picture& picture, const PictureOptions& options) {
+  const image::WriteOptions write = ToWriteOptions(options);
+  CHECK(picture.rgb.size() == std::size_t(picture.width) * std::size_t(picture.height) * 3);
+  std::vector<std::uint8_t> bytes(picture.rgb.size());
+  const std::size_t rowSize = 3 * std::size_t(picture.width);
+  ParallelInOrder(std::uint64_t(picture.height), [&](std::uint64_t y, int) {
+    for (std::size_t i = y * rowSize; i < (y + 1) * rowSize; i += 3) {
+      const kernel::vec3 color =
+          image::DisplayColor({picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]}, write);
+      for (int c = 0; c < 3; ++c) bytes[i + std::size_t(c)] = image::Quantize8(color[c]);
+    }
+  });
+  return bytes;
 }
 
 void WritePicture(const std::filesystem::path& path, const Picture& picture,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -39,6 +40,10 @@ struct PictureOptions {
   int jpegQuality = 95;
   std::vector<std::pair<std::string, std::string>> metadata;
 };
+
+// The picture as a PNG of 8 bits with these options holds it: three bytes a pixel. Throws Error.
+SNELL_EXPORT std::vector<std::uint8_t> DisplayBytes(const Picture& picture,
+                                                    const PictureOptions& options = {});
 
 // Write atomically: the file appears when it is complete. Throws Error.
 SNELL_EXPORT void WritePicture(const std::filesystem::path& path, const Picture& picture,

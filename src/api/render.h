@@ -3,6 +3,7 @@
 // Snell's public interface: rendering. Installed as <snell/api/render.h>.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -28,6 +29,15 @@ struct FilmOptions {
 // How to take noise out of pictures: "nfor" is built in; "oidn" is Open Image Denoise, if its library is installed.
 enum class Denoiser { None, Automatic, Nfor, Oidn };
 
+// Where a camera stands, and what it looks at: metres. Its vertical angle of view stands for the height of the view at
+// lookAt where a camera is orthographic; panoramas and fisheyes keep their own.
+struct CameraView {
+  std::array<double, 3> position{0, 0, 5};
+  std::array<double, 3> lookAt{};
+  std::array<double, 3> up{0, 1, 0};
+  double fovDegrees = 40;
+};
+
 // Overrides what the scene says; whatever is empty stays as the scene has it.
 struct RenderOptions {
   std::optional<int> width;
@@ -43,6 +53,7 @@ struct RenderOptions {
   std::optional<float> clampIndirect;
   std::optional<std::string> integrator;  // "whitted" or "path"; else by the materials
   std::optional<std::string> camera;      // by name; else the first one
+  std::optional<CameraView> cameraView;   // another place for that camera, where it stands still
   std::optional<std::array<int, 4>>
       crop;  // x0, y0, x1, y1 in pixels; the picture has just these pixels
   std::optional<std::pair<std::uint32_t, std::uint32_t>>

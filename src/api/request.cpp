@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "api/camera_view.h"
 #include "scene/framing.h"
 #include "scene/settings.h"
 #include "scene/validate.h"
@@ -118,6 +119,7 @@ std::pair<render::RenderRequest, std::uint32_t> RequestOf(const scene::Scene& sc
   request.settings = SettingsOf(scene, options);
   request.camera =
       CameraOf(scene, options, double(request.settings.width) / request.settings.height);
+  if (options.cameraView) request.camera = CameraSeenFrom(request.camera, *options.cameraView);
   request.rect = RectOf(request.settings, options);
   const auto [firstSample, lastSample] = SamplesOf(request.settings, options);
   request.lastSample = lastSample;

@@ -53,6 +53,8 @@ class SNELL_EXPORT Scene {
   // Of the pictures that the scene asks for: what PictureOptions wants.
   float exposure() const;
   std::string view() const;
+  // The names of its cameras, those that have one.
+  std::vector<std::string> cameras() const;
 
  private:
   std::shared_ptr<const scene::Scene> contents_;

@@ -14,4 +14,5 @@
 #include "render.h"
 #include "scene.h"
 #include "selftest.h"
+#include "session.h"
 #include "version.h"

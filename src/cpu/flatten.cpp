@@ -66,6 +66,32 @@ static uint CausticsTag(scene::Caustics caustics) {
   return CAUSTICS_FULL;
 }
 
+// The boxes of all that has an inside.
+static std::vector<bvh::Bounds> BodiesOf(FlatScene& flat) {
+  const bvh::Geometry geometry = flat.Geometry();
+  const auto hasInside = [&](uint object) {
+    return object != None && (flat.objects[object].mask & MASK_INSIDE) != 0;
+  };
+  std::vector<bvh::Bounds> bodies;
+  for (const Shape& shape : flat.shapes) {
+    if (hasInside(shape.object)) bodies.push_back(bvh::PlacedBounds(geometry, shape));
+  }
+  std::vector<bvh::Bounds> worldMeshes(flat.meshes.size());
+  for (uint i = 0; i < flat.worldTriangles; ++i)
+    worldMeshes[flat.triangles[i].mesh].Extend(bvh::TriangleBounds(geometry, i));
+  for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
+    if (hasInside(flat.meshes[i].object)) bodies.push_back(worldMeshes[i]);
+  }
+  for (const Instance& instance : flat.instances) {
+    if (!hasInside(instance.object)) continue;
+    bvh::Bounds local;
+    for (uint i = 0; i < instance.triangleCount; ++i)
+      local.Extend(bvh::TriangleBounds(geometry, instance.firstTriangle + i));
+    bodies.push_back(bvh::PlacedBounds(geometry, instance, {&local, 1}));
+  }
+  return bodies;
+}
+
 FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settings,
                   const scene::Camera& camera) {
   FlatScene flat;
@@ -121,28 +147,8 @@ FlatScene Flatten(const scene::Scene& scene, const scene::RenderSettings& settin
   for (const Object& object : flat.objects) {
     if ((object.mask & MASK_TINT) != 0) flat.params.tintedShadows = 1;
   }
-  const bvh::Geometry geometry = flat.Geometry();
-  for (const Shape& shape : flat.shapes) {
-    const bool hasInside = (flat.objects[shape.object].mask & MASK_INSIDE) != 0;
-    if (hasInside && MayStartIn(bvh::PlacedBounds(geometry, shape), flat))
-      flat.params.camera.inside = 1;
-  }
-  std::vector<bvh::Bounds> worldMeshes(flat.meshes.size());
-  for (uint i = 0; i < flat.worldTriangles; ++i)
-    worldMeshes[flat.triangles[i].mesh].Extend(bvh::TriangleBounds(geometry, i));
-  for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
-    const uint object = flat.meshes[i].object;
-    const bool hasInside = object != None && (flat.objects[object].mask & MASK_INSIDE) != 0;
-    if (hasInside && MayStartIn(worldMeshes[i], flat)) flat.params.camera.inside = 1;
-  }
-  for (const Instance& instance : flat.instances) {
-    if ((flat.objects[instance.object].mask & MASK_INSIDE) == 0) continue;
-    bvh::Bounds local;
-    for (uint i = 0; i < instance.triangleCount; ++i)
-      local.Extend(bvh::TriangleBounds(geometry, instance.firstTriangle + i));
-    if (MayStartIn(bvh::PlacedBounds(geometry, instance, {&local, 1}), flat))
-      flat.params.camera.inside = 1;
-  }
+  flat.bodies = BodiesOf(flat);
+  SeeWhetherInside(flat);
   return flat;
 }
 

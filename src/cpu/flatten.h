@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bvh/bounds.h"
 #include "bvh/geometry.h"
 #include "kernel/types.h"
 #include "scene/scene.h"
@@ -40,6 +41,7 @@ struct FlatScene {
   std::vector<kernel::LightNode> lightNodes;
   std::vector<std::uint32_t> surfaceLights;  // the scene's lights that the first objects are
   std::vector<kernel::MotionKey> motions;    // of what moves while the shutter is open
+  std::vector<bvh::Bounds> bodies;           // boxes of what has an inside, where a camera may be
   std::uint32_t worldTriangles = 0;
   std::uint64_t finerTriangles = 0;  // that subdivision and displacement have made (src/tessellate)
   std::vector<std::string> warnings;  // of these

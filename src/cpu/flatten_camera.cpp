@@ -63,6 +63,27 @@ MotionKey KeyOfFrame(const scene::Affine& frame) {
   return key;
 }
 
+// Whether a ray of the flattened camera may start in the box.
+bool MayStartIn(const bvh::Bounds& box, const FlatScene& flat) {
+  const Camera& camera = flat.params.camera;
+  vec2 beside = camera.aperture;
+  if (camera.kind == CAMERA_ORTHOGRAPHIC) beside += glm::abs(camera.center) + camera.extent * 1.1f;
+  bvh::Bounds starts;
+  const auto extend = [&](vec3 position, vec3 right, vec3 up) {
+    const vec3 reach = Abs(right) * beside.x + Abs(up) * beside.y;
+    starts.Extend(bvh::Bounds{position - reach, position + reach});
+  };
+  extend(camera.position, camera.right, camera.up);
+  for (uint i = 0; camera.motion != None && i <= camera.motionSteps; ++i) {
+    const MotionKey& key = flat.motions[camera.motion + i];
+    extend(key.origin, key.x, key.y);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
@@ -90,24 +111,23 @@ void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& set
   FlattenCone(settings, scene.params);
 }
 
-bool MayStartIn(const bvh::Bounds& box, const FlatScene& flat) {
-  const Camera& camera = flat.params.camera;
-  vec2 beside = camera.aperture;
-  if (camera.kind == CAMERA_ORTHOGRAPHIC) beside += glm::abs(camera.center) + camera.extent * 1.1f;
-  bvh::Bounds starts;
-  const auto extend = [&](vec3 position, vec3 right, vec3 up) {
-    const vec3 reach = Abs(right) * beside.x + Abs(up) * beside.y;
-    starts.Extend(bvh::Bounds{position - reach, position + reach});
-  };
-  extend(camera.position, camera.right, camera.up);
-  for (uint i = 0; camera.motion != None && i <= camera.motionSteps; ++i) {
-    const MotionKey& key = flat.motions[camera.motion + i];
-    extend(key.origin, key.x, key.y);
+void SeeWhetherInside(FlatScene& flat) {
+  flat.params.camera.inside = 0;
+  for (const bvh::Bounds& body : flat.bodies) {
+    if (MayStartIn(body, flat)) flat.params.camera.inside = 1;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (starts.upper[axis] < box.lower[axis] || starts.lower[axis] > box.upper[axis]) return false;
-  }
-  return true;
+}
+
+void ReplaceCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
+                   FlatScene& flat) {
+  // A moving camera has the keys that it had; views of the array stay sound
+  const Camera before = flat.params.camera;
+  std::vector<MotionKey> keys;
+  keys.swap(flat.motions);
+  FlattenCamera(camera, settings, flat);
+  keys.swap(flat.motions);
+  if (flat.params.camera.motion != None) flat.params.camera.motion = before.motion;
+  SeeWhetherInside(flat);
 }
 
 }  // namespace snell::cpu

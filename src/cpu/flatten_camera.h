@@ -3,7 +3,6 @@
 // The scene's camera as the kernel's, and what its rays stand for.
 #pragma once
 
-#include "bvh/bounds.h"
 #include "cpu/flatten.h"
 #include "scene/scene.h"
 
@@ -13,7 +12,12 @@ namespace snell::cpu {
 void FlattenCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
                    FlatScene& flat);
 
-// Whether a ray of the flattened camera may start in the box.
-bool MayStartIn(const bvh::Bounds& box, const FlatScene& flat);
+// Note whether one of its rays may start inside of one of the scene's bodies.
+void SeeWhetherInside(FlatScene& flat);
+
+// Set another camera in a scene that is flattened, and nothing else: one that stands still, or the scene's own for a
+// picture of another size. What was cut finer for the eye stays as it is.
+void ReplaceCamera(const scene::Camera& camera, const scene::RenderSettings& settings,
+                   FlatScene& flat);
 
 }  // namespace snell::cpu

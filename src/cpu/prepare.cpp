@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cpu/aov_names.h"
+#include "cpu/flatten_camera.h"
 #include "cpu/origin.h"
 #include "render/film_file.h"
 #include "util/error.h"
@@ -58,6 +59,10 @@ PreparedScene::PreparedScene(const scene::Scene& scene, const render::RenderRequ
   statistics.sceneBytes = flat_.MemoryBytes();
   statistics.bvhBytes = bvh_.MemoryBytes();
   if (progress) progress->End();
+}
+
+void PreparedScene::SetCamera(const scene::Camera& camera, const scene::RenderSettings& settings) {
+  ReplaceCamera(camera, settings, flat_);
 }
 
 }  // namespace snell::cpu

@@ -18,6 +18,9 @@ class PreparedScene {
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
+  // See it by another camera, as ReplaceCamera (cpu/flatten_camera.h). Nobody may be rendering it.
+  void SetCamera(const scene::Camera& camera, const scene::RenderSettings& settings);
+
   const FlatScene& flat() const { return flat_; }
   const bvh::Bvh& bvh() const { return bvh_; }
   // What the tree was built over.

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "cpu/kernel.h"
-#include "cpu/prepare.h"
 #include "render/meter.h"
 #include "render/tally.h"
 #include "render/tiles.h"
@@ -82,15 +81,13 @@ void RenderTile(Kernel kernel, scene::Integrator integrator, render::PixelRect t
 
 }  // namespace
 
-render::Statistics CpuRenderer::Render(const scene::Scene& scene,
-                                       const render::RenderRequest& request, render::Film& film,
-                                       Progress* progress, const StopFlag* stop) {
-  render::Interruptions interruptions(request.stop, request.save, stop);
-  render::Statistics statistics;
+// `interruptions` may have begun to measure time before.
+static void RenderPasses(const scene::Scene& scene, const PreparedScene& prepared,
+                         const render::RenderRequest& request, render::Film& film,
+                         Progress* progress, render::Interruptions& interruptions,
+                         render::Statistics& statistics) {
   statistics.device = fmt::format("CPU, {}", bvh::NameOf(bvh::BestInstructionSet()));
   statistics.threads = ActiveThreads();
-
-  const PreparedScene prepared(scene, request, film, progress, statistics);
   const FlatScene& flat = prepared.flat();
   statistics.filmBytes = film.MemoryBytes() + (film.aovs() ? film.aovs()->MemoryBytes() : 0);
 
@@ -124,6 +121,22 @@ render::Statistics CpuRenderer::Render(const scene::Scene& scene,
   statistics.end = interruptions.Ended(plan, film);
   render::AddUp(workers, statistics);
   statistics.renderSeconds = timer.Seconds();
+}
+
+void RenderPrepared(const scene::Scene& scene, const PreparedScene& prepared,
+                    const render::RenderRequest& request, render::Film& film, Progress* progress,
+                    const StopFlag* stop, render::Statistics& statistics) {
+  render::Interruptions interruptions(request.stop, request.save, stop);
+  RenderPasses(scene, prepared, request, film, progress, interruptions, statistics);
+}
+
+render::Statistics CpuRenderer::Render(const scene::Scene& scene,
+                                       const render::RenderRequest& request, render::Film& film,
+                                       Progress* progress, const StopFlag* stop) {
+  render::Interruptions interruptions(request.stop, request.save, stop);
+  render::Statistics statistics;
+  const PreparedScene prepared(scene, request, film, progress, statistics);
+  RenderPasses(scene, prepared, request, film, progress, interruptions, statistics);
   return statistics;
 }
 

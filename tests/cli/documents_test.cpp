@@ -10,9 +10,9 @@
 namespace snell::test {
 namespace {
 
-const char* const CommandNames[] = {"render",  "merge", "compare",   "info",
-                                    "explain", "check", "reference", "selftest",
-                                    "devices", "help",  "manual",    "completion"};
+const char* const CommandNames[] = {"render", "merge",  "compare",   "info",     "explain",
+                                    "view",   "check",  "reference", "selftest", "devices",
+                                    "help",   "manual", "completion"};
 
 std::string Output(const std::vector<std::string>& arguments) {
   const Result result = RunSnell(arguments);

@@ -18,7 +18,7 @@ const Mistake Mistakes[] = {
     {{"rendr", "a.nff"}, "unknown command 'rendr'; did you mean 'render'?"},
     {{"frobnicate"},
      "unknown command 'frobnicate'; the commands are: render, merge, compare, info, explain, "
-     "check, "
+     "view, check, "
      "reference, "
      "selftest, devices, help, "
      "manual, completion"},
