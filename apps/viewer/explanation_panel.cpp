@@ -50,8 +50,8 @@ std::size_t DrawBelow(const std::vector<ExplanationLine>& lines, std::size_t at,
 }  // namespace
 
 void DrawExplanation(const PixelAnswer& answer) {
-  ImGui::TextUnformatted(fmt::format("Pixel {},{} of {} × {}, its sample 0", answer.x, answer.y,
-                                     answer.width, answer.height)
+  ImGui::TextUnformatted(fmt::format("Pixel {},{} of {} × {}{}", answer.x, answer.y, answer.width,
+                                     answer.height, answer.isOld ? ", as it was before" : "")
                              .c_str());
   if (ImGui::Button("Copy the text")) ImGui::SetClipboardText(answer.explanation.text.c_str());
   const std::vector<ExplanationLine> lines = LinesOfExplanation(answer.explanation.text);

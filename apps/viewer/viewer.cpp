@@ -116,6 +116,7 @@ void Viewer::SetView(const CameraView& view) {
     session_->SetView(view);
     options_.cameraView = view;
     shown_.finished = false;
+    if (answer_) answer_->isOld = true;
     LeaveResult();
     log_.Say("view");
   } catch (const Error&) {  // it cannot go any further that way
@@ -144,8 +145,9 @@ void Viewer::Ask(double x, double y) {
   const int row = std::clamp(int(y * *options.height), 0, *options.height - 1);
   asking_.Start([scene = *scene_, options, column, row] {
     const PixelExplainer explainer(scene, options);
-    return PixelAnswer{column, row, explainer.width(), explainer.height(),
-                       explainer.Explain(column, row, 0)};
+    return PixelAnswer{
+        column, row, explainer.width(), explainer.height(), explainer.Explain(column, row, 0),
+        false};
   });
 }
 
@@ -220,6 +222,7 @@ void Viewer::TakeOpened() {
       errors_.clear();
       note_.clear();
       shown_.finished = false;
+      if (answer_) answer_->isOld = true;
       if (previewWidth_ > 0) session_->SetSize(previewWidth_, previewHeight_);
       if (options_.cameraView) SetView(*options_.cameraView);
       if (final_.rendering()) session_->SetPaused(true);

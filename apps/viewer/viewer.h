@@ -34,6 +34,7 @@ struct PixelAnswer {
   int width = 0;  // of the picture that it is in
   int height = 0;
   SampleExplanation explanation;
+  bool isOld = false;  // the scene or the view is another one by now
 };
 
 class Viewer {

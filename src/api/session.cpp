@@ -8,6 +8,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "api/camera_view.h"
@@ -211,6 +212,21 @@ class RenderSession::Worker {
     Publish(*film_, task.view, samples_, done_);
   }
 
+  // While one lives, a pass is running; faults end it, too.
+  class Running {
+   public:
+    explicit Running(Worker& worker) : worker_(worker) {}
+    ~Running() {
+      const std::lock_guard lock(worker_.mutex_);
+      worker_.stop_ = nullptr;
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+   private:
+    Worker& worker_;
+  };
+
   // Render until `over`, which is asked when something changes. Returns whether it came to the end.
   template <class Over>
   bool Render(const render::RenderRequest& request, render::Film& film, Over over) {
@@ -221,10 +237,9 @@ class RenderSession::Worker {
         if (over()) return false;
         stop_ = &stop;
       }
+      const Running running(*this);
       render::Statistics statistics;
       cpu::RenderPrepared(scene_.contents(), *prepared_, request, film, nullptr, &stop, statistics);
-      const std::lock_guard lock(mutex_);
-      stop_ = nullptr;
       if (statistics.end == render::End::Samples) return true;
     }
   }
