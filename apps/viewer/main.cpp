@@ -22,7 +22,7 @@ namespace snell::viewer {
 
 namespace {
 
-constexpr double WhileBusy = 0.015;  // seconds between frames
+constexpr double WhileBusy = 0.03;  // seconds between frames
 constexpr double AtRest = 0.2;
 constexpr int MostPixels = 16384;  // of a texture's side
 

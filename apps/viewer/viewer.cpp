@@ -238,7 +238,7 @@ void Viewer::TakePicture() {
   if (!session_) return;
   if (std::optional<SessionPicture> picture = session_->Snapshot()) {
     shown_ = *std::move(picture);
-    if (shown_.samples > 0) log_.Say(fmt::format("samples {}", shown_.samples));
+    log_.Say(shown_.samples > 0 ? fmt::format("samples {}", shown_.samples) : "coarse");
     if (shown_.finished) log_.Say("finished");
   }
   if (const std::string fault = session_->fault(); !fault.empty() && errors_.empty())

@@ -177,27 +177,39 @@ class RenderSession::Worker {
 
   // Show a new view coarsely, and prepare for its passes. False: something else is wanted first.
   bool Begin(const Task& task) {
-    const scene::RenderSettings& settings = task.request.settings;
-    const auto smaller = [&](int size) {
-      return std::max(1, (size + coarseness_ / 2) / coarseness_);
-    };
-    render::RenderRequest coarse =
-        OfSize(task.request, smaller(settings.width), smaller(settings.height));
-    coarse.lastSample = 1;
-    SetCamera(coarse);
-    render::Film film(coarse.rect);
-    const Timer timer;
-    if (!Render(coarse, film, [&] { return ends_ || paused_; })) return false;
-    Publish(film, task.view, 0, false);
-    const double seconds = timer.Seconds();
-    if (seconds > TooSlow) coarseness_ = std::min(2 * coarseness_, MostCoarseness);
-    if (seconds < FastEnough) coarseness_ = std::max(coarseness_ / 2, LeastCoarseness);
+    // Each picture is twice as fine as the one before. The first one is finished even if the view changes, so that there
+    // is something to see while it moves
+    const int first = coarseness_;
+    for (int coarseness = first; coarseness >= LeastCoarseness; coarseness /= 2) {
+      const Timer timer;
+      const bool isFirst = coarseness == first;
+      if (!ShowCoarsely(task, coarseness, isFirst)) return false;
+      const double seconds = timer.Seconds();
+      if (isFirst && seconds > TooSlow) coarseness_ = std::min(2 * first, MostCoarseness);
+      if (isFirst && seconds < FastEnough) coarseness_ = std::max(first / 2, LeastCoarseness);
+    }
 
     SetCamera(task.request);
     film_.emplace(task.request.rect);
     shown_ = task.view;
     samples_ = 0;
     done_ = false;
+    return true;
+  }
+
+  bool ShowCoarsely(const Task& task, int coarseness, bool isFirst) {
+    const scene::RenderSettings& settings = task.request.settings;
+    const auto smaller = [&](int size) {
+      return std::max(1, (size + coarseness / 2) / coarseness);
+    };
+    render::RenderRequest coarse =
+        OfSize(task.request, smaller(settings.width), smaller(settings.height));
+    coarse.lastSample = 1;
+    SetCamera(coarse);
+    render::Film film(coarse.rect);
+    const auto over = [&] { return ends_ || paused_ || (!isFirst && view_ != task.view); };
+    if (!Render(coarse, film, over)) return false;
+    Publish(film, task.view, 0, false);
     return true;
   }
 

@@ -23,11 +23,11 @@ struct SessionPicture {
   bool finished = false;   // it has all samples that were asked for
 };
 
-// Renders a scene in the background, over and over as its view changes: first a coarse picture, then one of full size
-// that gets a sample of each pixel in each pass, until it has those that the options ask for. It is then, bit for bit, what Render
-// gives with the same options. The scene is prepared only once; for surfaces that are cut finer for the eye, that is for
-// the first view. It always works on the processor, takes no notice of the options' film, noise, seconds, crop, AOVs and denoiser, and leaves
-// samples without noise limits. All functions may be called from any thread.
+// Renders a scene in the background, over and over as its view changes: first coarse pictures, then one of full size that
+// gets a sample of each pixel in each pass, until it has those that the options ask for. It is then, bit for bit, what
+// Render gives with the same options. The scene is prepared only once; surfaces that are cut finer for the eye are cut
+// for the first view. It always works on the processor, and takes no notice of the options' films, noise, seconds,
+// samples, crop, AOVs and denoiser. All functions may be called from any thread.
 class SNELL_EXPORT RenderSession {
  public:
   // Prepares the scene, and begins. Throws Error.
@@ -38,7 +38,8 @@ class SNELL_EXPORT RenderSession {
 
   // Where the camera stands; at first the chosen one of the scene.
   CameraView view() const;
-  // Begin anew from another place. Returns the view's number, the first one is 0. Throws Error if no camera can look like that.
+  // Begin anew from another place. Returns the view's number, the first one is 0; sizes count, too. Throws Error if no
+  // camera can look like that.
   std::uint64_t SetView(const CameraView& view);
   // Begin anew in another size. Throws Error if it is none.
   void SetSize(int width, int height);
