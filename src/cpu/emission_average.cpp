@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpu/scene_view.h"
 #include "kernel/values.h"
 
 namespace snell::cpu {
@@ -20,22 +21,7 @@ constexpr uint MostMipmapPoints = 64;
 constexpr std::size_t AllPoints = 1 << 23;
 
 // The parts of the kernel that find points on emitters and what textures show there (cpu/kernel.h binds all of it).
-struct EmissionKernel {
-  const Object* objects;
-  const Shape* shapes;
-  const Instance* instances;
-  const Mesh* meshes;
-  const Triangle* triangles;
-  const vec3* positions;
-  const vec3* normals;
-  const vec2* uvs;
-  const vec4* tangents;
-  const vec4* colors;
-  const MotionKey* motions;
-  const Texture* textures;
-  const Image* images;
-  const uint* texels;
-
+struct EmissionKernel : SceneView {
 #include "kernel/scene_emitter.h"
 #include "kernel/scene_image.h"
 #include "kernel/scene_motion.h"
@@ -55,11 +41,7 @@ Spectrum AverageEmission(const FlatScene& flat, const Emitter& emitter, const Ma
                          vec3 center, vec3 normal) {
   const uint index = material.textures[ROLE_EMISSION];
   if (index == None) return material.emission;
-  EmissionKernel kernel = {flat.objects.data(), flat.shapes.data(),    flat.instances.data(),
-                           flat.meshes.data(),  flat.triangles.data(), flat.positions.data(),
-                           flat.normals.data(), flat.uvs.data(),       flat.tangents.data(),
-                           flat.colors.data(),  flat.motions.data(),   flat.textures.data(),
-                           flat.images.data(),  flat.texels.data()};
+  EmissionKernel kernel = {ViewOf(flat)};
   const Texture& texture = flat.textures[index];
   const bool isSphere =
       emitter.instance == INSTANCE_SHAPE && flat.shapes[emitter.primitive].kind == SHAPE_SPHERE;

@@ -22,13 +22,6 @@ const char* KindOf(const kernel::Shape& shape) {
   return "cylinder or cone";
 }
 
-// The object of something that glows.
-std::uint32_t ObjectOf(const kernel::Emitter& emitter, const cpu::FlatScene& flat) {
-  if (emitter.instance == kernel::INSTANCE_SHAPE) return flat.shapes[emitter.primitive].object;
-  if (emitter.instance != kernel::None) return flat.instances[emitter.instance].object;
-  return flat.meshes[flat.triangles[emitter.primitive].mesh].object;
-}
-
 }  // namespace
 
 Names::Names(const scene::Scene& scene, const cpu::FlatScene& flat) : flat_(flat) {
@@ -48,6 +41,12 @@ Names::Names(const scene::Scene& scene, const cpu::FlatScene& flat) : flat_(flat
   for (const scene::Texture& texture : scene.textures) textures_.push_back(texture.name);
 }
 
+const std::string& Names::ObjectOf(const kernel::Hit& hit) const {
+  if (hit.instance == kernel::INSTANCE_SHAPE) return Object(flat_.shapes[hit.primitive].object);
+  if (hit.instance != kernel::None) return Object(flat_.instances[hit.instance].object);
+  return Object(flat_.meshes[flat_.triangles[hit.primitive].mesh].object);
+}
+
 std::string Names::Part(const kernel::Hit& hit) const {
   if (hit.instance == kernel::INSTANCE_SHAPE) return KindOf(flat_.shapes[hit.primitive]);
   return fmt::format("triangle {}", hit.primitive);
@@ -60,8 +59,8 @@ std::string Names::Texture(std::uint32_t texture) const {
 
 std::string Names::Light(std::uint32_t source) const {
   if (source < lights_.size()) return fmt::format("the light '{}'", lights_[source]);
-  return fmt::format("the glow of '{}'",
-                     Object(ObjectOf(flat_.emitters[source - flat_.params.lightCount], flat_)));
+  const kernel::Emitter& emitter = flat_.emitters[source - flat_.params.lightCount];
+  return fmt::format("the glow of '{}'", ObjectOf({emitter.primitive, emitter.instance}));
 }
 
 }  // namespace snell::explain

@@ -19,6 +19,7 @@ class Names {
   const std::string& Object(std::uint32_t object) const { return objects_[object]; }
   const std::string& Material(std::uint32_t object) const { return materials_[object]; }
   const std::string& Place(std::uint32_t object) const { return places_[object]; }
+  const std::string& ObjectOf(const kernel::Hit& hit) const;
   std::string Part(const kernel::Hit& hit) const;
   // of its textures,
   std::string Texture(std::uint32_t texture) const;

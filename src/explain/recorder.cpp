@@ -238,10 +238,7 @@ std::string Recorder::BlockerOf(vec3 start, vec3 wi, float distance) const {
   ray.d = wi;
   ray.time = time_;
   const bvh::Intersection found = bvh_.Closest(ray, distance, MASK_SHADOW);
-  if (found.primitive == None) return "";
-  if (found.instance == INSTANCE_SHAPE) return names_.Object(flat_.shapes[found.primitive].object);
-  if (found.instance != None) return names_.Object(flat_.instances[found.instance].object);
-  return names_.Object(flat_.meshes[flat_.triangles[found.primitive].mesh].object);
+  return found.primitive == None ? "" : names_.ObjectOf({found.primitive, found.instance});
 }
 
 void Recorder::Lights(vec3 start, const LightLiSample& li, Spectrum passed, float weight) {

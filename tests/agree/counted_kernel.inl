@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "agree/brute_force.h"
+#include "cpu/scene_view.h"
 #include "kernel/dialect.h"
 
 namespace snell::agree {
@@ -44,65 +45,18 @@ using namespace kernel;
 
 namespace {
 
-struct CountedKernel {
-  const RenderParams& params;
+struct CountedKernel : cpu::SceneView {
   PrimitiveCounts counts;             // of the brute force
   const TraceWorld& traceWorld;       // of the GPUs' tree
   const TraceNode* traceNodes;
   const TraceTriangle* traceTriangles;
   const TraceTree* traceTrees;
   const uint* traceShapes;
-  const Object* objects;
-  const Shape* shapes;
-  const Instance* instances;
-  const Mesh* meshes;
-  const Triangle* triangles;
-  const vec3* positions;
-  const vec3* normals;
-  const vec2* uvs;
-  const vec4* tangents;
-  const vec4* colors;
-  const Material* materials;
-  const Term* terms;
-  const Physical* physicals;
-  const Texture* textures;
-  const Image* images;
-  const uint* texels;
-  const Grid* grids;
-  const Light* lights;
-  const Emitter* emitters;
-  const float* albedos;
-  const LightNode* lightNodes;
-  const MotionKey* motions;
   WhittedBranch branches[WhittedStackSize];
   AovSample aovs[1];
 
 #include SNELL_SEARCH
-#include "kernel/path.h"
-#include "kernel/path_light.h"
-#include "kernel/path_medium.h"
-#include "kernel/path_sample.h"
-#include "kernel/path_shadow.h"
-#include "kernel/path_wavelength.h"
-#include "kernel/scene_aov.h"
-#include "kernel/scene_bsdf.h"
-#include "kernel/scene_camera.h"
-#include "kernel/scene_emitter.h"
-#include "kernel/scene_environment.h"
-#include "kernel/scene_filter.h"
-#include "kernel/scene_frame.h"
-#include "kernel/scene_grid.h"
-#include "kernel/scene_image.h"
-#include "kernel/scene_light_tree.h"
-#include "kernel/scene_medium.h"
-#include "kernel/scene_motion.h"
-#include "kernel/scene_physical.h"
-#include "kernel/scene_profile.h"
-#include "kernel/scene_shadow.h"
-#include "kernel/scene_surface.h"
-#include "kernel/scene_terminator.h"
-#include "kernel/scene_texture.h"
-#include "kernel/whitted.h"
+#include "cpu/kernel_members.inl"
 
   // What the entry points' main does.
   Spectrum Radiance(scene::Integrator integrator, uvec2 pixel, uint sample) {
@@ -132,38 +86,16 @@ namespace {
 
 CountedSample RenderCounted(const cpu::FlatScene& scene, const gpu::TraceArrays& tree,
                             std::uint32_t sample) {
-  CountedKernel kernel{scene.params,
-                          {std::uint32_t(scene.shapes.size()), scene.worldTriangles,
-                           std::uint32_t(scene.instances.size())},
-                          tree.world,
-                          tree.nodes.data(),
-                          tree.triangles.data(),
-                          tree.trees.data(),
-                          tree.shapes.data(),
-                          scene.objects.data(),
-                          scene.shapes.data(),
-                          scene.instances.data(),
-                          scene.meshes.data(),
-                          scene.triangles.data(),
-                          scene.positions.data(),
-                          scene.normals.data(),
-                          scene.uvs.data(),
-                          scene.tangents.data(),
-                          scene.colors.data(),
-                          scene.materials.data(),
-                          scene.terms.data(),
-                          scene.physicals.data(),
-                          scene.textures.data(),
-                          scene.images.data(),
-                          scene.texels.data(),
-                          scene.grids.data(),
-                          scene.lights.data(),
-                          scene.emitters.data(),
-                          scene.albedos.data(),
-                          scene.lightNodes.data(),
-                          scene.motions.data(),
-                          {},
-                          {}};
+  CountedKernel kernel{cpu::ViewOf(scene),
+                       {std::uint32_t(scene.shapes.size()), scene.worldTriangles,
+                        std::uint32_t(scene.instances.size())},
+                       tree.world,
+                       tree.nodes.data(),
+                       tree.triangles.data(),
+                       tree.trees.data(),
+                       tree.shapes.data(),
+                       {},
+                       {}};
   const uvec2 resolution = scene.params.camera.resolution;
   CountedSample result;
   for (uint y = 0; y < resolution.y; ++y) {
